@@ -1,0 +1,5 @@
+"""The learner: worlds, language, verbs, dialogue and question policies, without any input or output.
+
+It knows numpy and nothing of files, screens or clocks; everything it works on
+is passed in, and every random draw comes from a generator that is passed in.
+"""

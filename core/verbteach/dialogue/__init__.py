@@ -1,0 +1,1 @@
+"""Robot acts, teacher acts, the episode that alternates them, and simulated teachers."""

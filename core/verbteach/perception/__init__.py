@@ -1,0 +1,1 @@
+"""What the robot sees: noise models and beliefs over fluents."""

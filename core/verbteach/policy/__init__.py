@@ -1,0 +1,1 @@
+"""Which question when: features, learners and question policies."""

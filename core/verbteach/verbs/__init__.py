@@ -1,0 +1,1 @@
+"""What a verb means: state changes, goal hypotheses, the hypothesis space, selection."""

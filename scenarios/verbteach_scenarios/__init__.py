@@ -1,0 +1,1 @@
+"""Worlds as data: domains, scenes, lessons, the lexicon, and the readers of their files."""
