@@ -1,0 +1,30 @@
+"""What the robot needs to be somewhere: the scene, its grounded task, a planner and the words."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from verbteach.language.lexicon import Lexicon
+from verbteach.world.plan import Planner
+from verbteach.world.scene import Scene
+from verbteach.world.task import Task
+
+
+class UnknownSceneError(LookupError):
+    """No scene has this name; the message lists those that there are."""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A scene made ready: grounded once, with the planner that works on it."""
+
+    scene: Scene
+    task: Task
+    planner: Planner
+    lexicon: Lexicon
+
+
+# Raises UnknownSceneError. Handed to the robot, which opens no file itself.
+Settings: TypeAlias = Callable[[str], Setting]
