@@ -1,0 +1,57 @@
+"""What the app is started with. Knows no Textual, so that the command line can build it cheaply."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeAlias
+
+if TYPE_CHECKING:
+    from verbteach.dialogue.setting import Settings
+    from verbteach_sessions.session import Session
+
+
+@dataclass(frozen=True)
+class OpenHome:
+    """Start on the home screen."""
+
+
+@dataclass(frozen=True)
+class OpenNew:
+    """Start teaching at once, in a new session in this scene."""
+
+    scene: str
+
+
+@dataclass(frozen=True)
+class OpenSession:
+    """Start teaching at once, in the session in this folder."""
+
+    path: Path
+
+
+Opening: TypeAlias = OpenHome | OpenNew | OpenSession
+
+
+@dataclass(frozen=True)
+class AppOptions:
+    """What the app needs from the command line.
+
+    ``settings`` makes a scene ready and ``scenes`` lists the ids there are, in
+    the order to show. ``create`` begins a session in the scene of that id, with
+    whatever noise, policy, seed, participant and earlier session the command
+    line named; ``resume`` opens a session's folder. Both run in a worker thread
+    and may raise; the app then says why and goes on. ``sessions`` is the folder
+    whose sessions the home screen offers. ``speed`` is in executed steps per
+    second (0: all at once). ``theme`` is a theme's name, ``None`` the default.
+    """
+
+    settings: Settings
+    scenes: Callable[[], tuple[str, ...]]
+    create: Callable[[str], Session]
+    resume: Callable[[Path], Session]
+    sessions: Path
+    opening: Opening = field(default_factory=OpenHome)
+    speed: float = 2.0
+    theme: str | None = None
