@@ -1,0 +1,73 @@
+"""How a command ends: its exit status, and one line on standard error where the input was wrong.
+
+Wrong input is told from a bug by the type of the error. This file knows every
+such type of the rooms below, and imports them only once something went wrong.
+"""
+
+from __future__ import annotations
+
+import sys
+import traceback
+from collections.abc import Callable
+
+DONE = 0
+CHECK_FAILED = 1
+WRONG_USE = 2
+BUG = 70  # EX_SOFTWARE of sysexits.h: neither the person's doing nor a failed check
+INTERRUPTED = 130
+
+
+class WrongUseError(Exception):
+    """What the person asked for cannot be; the message is the one line that says why."""
+
+
+def concluded(command: Callable[[], int | None], name: str = "verbteach") -> int:
+    """Run ``command`` and answer the exit status; say on standard error what was wrong, if so."""
+    try:
+        return command() or DONE
+    except KeyboardInterrupt:
+        complain(name, "interrupted")
+        return INTERRUPTED
+    except Exception as error:
+        message = complaint(error)
+        if message is not None:
+            complain(name, message)
+            return WRONG_USE
+        traceback.print_exc()
+        complain(name, "this is a bug in verbteach; please report the lines above")
+        return BUG
+
+
+def complain(name: str, message: str) -> None:
+    """Print ``message`` as one line on standard error."""
+    print(f"{name}: {' '.join(printable(message).split())}", file=sys.stderr)
+
+
+def printable(text: str) -> str:
+    """``text`` with control characters written out, so that it cannot act on a terminal."""
+    return "".join(c if c.isprintable() or c in "\n\t" else repr(c)[1:-1] for c in text)
+
+
+def complaint(error: Exception) -> str | None:
+    """The line that says what was wrong with the input; ``None`` where the error is a bug."""
+    if isinstance(error, WrongUseError):
+        return str(error)
+    if isinstance(error, OSError):
+        return _of_file(error)
+    if isinstance(error, _wrong_input()):
+        return str(error.args[0]) if isinstance(error, LookupError) and error.args else str(error)
+    return None
+
+
+def _of_file(error: OSError) -> str:
+    what = error.strerror or type(error).__name__
+    return f"{error.filename}: {what}" if error.filename is not None else what
+
+
+def _wrong_input() -> tuple[type[Exception], ...]:
+    from verbteach.dialogue.moves import IllegalMoveError
+    from verbteach.dialogue.setting import UnknownSceneError
+    from verbteach.world.fluents import FluentSyntaxError
+    from verbteach_scenarios.errors import WorldFileError
+
+    return (IllegalMoveError, UnknownSceneError, FluentSyntaxError, WorldFileError)
