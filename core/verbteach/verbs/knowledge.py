@@ -1,0 +1,183 @@
+"""What the robot knows of its verbs: the merge of its demonstrations' hypothesis spaces.
+
+Values never change: learning returns new knowledge that shares what it can
+with the old. Knowledge is a multiset of spaces, kept in a fixed order, so the
+order of learning leaves no trace in it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from bisect import insort
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from verbteach.verbs.lifting import Binding, Lifted
+from verbteach.verbs.space import Demonstration, FrameKey, HypothesisSpace
+
+
+class Use(NamedTuple):
+    """One demonstration of a hypothesis with the things its abstract terms stood for."""
+
+    binding: Binding
+    demonstration: Demonstration
+
+
+@dataclass(frozen=True)
+class HypothesisNode:
+    """A hypothesis merged over demonstrations.
+
+    ``frequency`` counts the demonstrations it comes from, ``base`` those whose
+    whole goal it was, ``leaf`` those that nothing more general was kept of,
+    ``confirmed`` those whose teacher confirmed it as the goal. ``general``
+    lists the hypotheses with one fluent less that it is linked to.
+    """
+
+    literals: Lifted
+    uses: tuple[Use, ...] = ()
+    frequency: int = 0
+    base: int = 0
+    leaf: int = 0
+    confirmed: int = 0
+    general: frozenset[Lifted] = frozenset()
+
+    @cached_property
+    def bindings(self) -> tuple[tuple[Binding, tuple[Demonstration, ...]], ...]:
+        """Each binding once, sorted, with the demonstrations that had it."""
+        found: dict[Binding, list[Demonstration]] = defaultdict(list)
+        for binding, demonstration in self.uses:
+            found[binding].append(demonstration)
+        return tuple((binding, tuple(found[binding])) for binding in sorted(found))
+
+
+@dataclass(frozen=True)
+class FrameSpace:
+    """The merged space of one verb frame; ``spaces`` are sorted by ``HypothesisSpace.order``."""
+
+    key: FrameKey
+    spaces: tuple[HypothesisSpace, ...]
+
+    @cached_property
+    def nodes(self) -> Mapping[Lifted, HypothesisNode]:
+        """Every hypothesis, specific to general, then in the hypotheses' own order."""
+        found: dict[Lifted, HypothesisNode] = {}
+        for space in self.spaces:
+            _merge(found, space)
+        return _in_order(found)
+
+    @cached_property
+    def specific(self) -> Mapping[Lifted, frozenset[Lifted]]:
+        """For each hypothesis those with one fluent more that are linked to it."""
+        above: dict[Lifted, set[Lifted]] = {key: set() for key in self.nodes}
+        for key, node in self.nodes.items():
+            for lower in node.general:
+                above[lower].add(key)
+        return {key: frozenset(found) for key, found in above.items()}
+
+    def with_space(self, space: HypothesisSpace) -> FrameSpace:
+        """The frame with one demonstration more; nodes it does not touch are shared."""
+        spaces = list(self.spaces)
+        insort(spaces, space, key=lambda s: s.order)
+        larger = FrameSpace(self.key, tuple(spaces))
+        if "nodes" in self.__dict__:
+            nodes = dict(self.nodes)
+            _merge(nodes, space)
+            larger.__dict__["nodes"] = _in_order(nodes)
+        return larger
+
+    def without(self, space: HypothesisSpace) -> FrameSpace:
+        """The frame without one occurrence of ``space``."""
+        spaces = list(self.spaces)
+        spaces.remove(space)
+        return FrameSpace(self.key, tuple(spaces))
+
+
+def _merge(nodes: dict[Lifted, HypothesisNode], space: HypothesisSpace) -> None:
+    """Add one space to ``nodes``, replacing the nodes it touches."""
+    lower: dict[int, set[Lifted]] = defaultdict(set)
+    for upper, one in space.edges:
+        lower[upper].add(space.nodes[one].literals)
+    for index, (literals, bindings) in enumerate(space.nodes):
+        old = nodes.get(literals) or HypothesisNode(literals)
+        new = [Use(binding, space.demonstration) for binding in bindings]
+        nodes[literals] = HypothesisNode(
+            literals,
+            tuple(sorted([*old.uses, *new])),
+            old.frequency + 1,
+            old.base + (index == 0),
+            old.leaf + (index in space.general),
+            old.confirmed + (index == 0 and space.confirmed),
+            old.general | lower[index],
+        )
+
+
+def _in_order(nodes: Mapping[Lifted, HypothesisNode]) -> dict[Lifted, HypothesisNode]:
+    return {key: nodes[key] for key in sorted(nodes, key=lambda k: (-len(k), k))}
+
+
+@dataclass(frozen=True)
+class VerbKnowledge:
+    """The frames the robot has learned, by key; empty to begin with."""
+
+    frames: Mapping[FrameKey, FrameSpace] = field(default_factory=dict)
+
+    @classmethod
+    def merged(cls, spaces: Iterable[HypothesisSpace]) -> VerbKnowledge:
+        """Knowledge of these spaces, in whatever order they come."""
+        found: dict[FrameKey, list[HypothesisSpace]] = defaultdict(list)
+        for space in spaces:
+            found[space.demonstration.frame].append(space)
+        return cls(
+            {key: FrameSpace(key, tuple(sorted(found[key], key=lambda s: s.order)))
+             for key in sorted(found)}
+        )  # fmt: skip
+
+    @property
+    def spaces(self) -> tuple[HypothesisSpace, ...]:
+        """Every demonstration's space, by frame and then in the frame's order."""
+        return tuple(space for key in sorted(self.frames) for space in self.frames[key].spaces)
+
+    @property
+    def verbs(self) -> tuple[str, ...]:
+        """The verbs with at least one hypothesis, sorted."""
+        return tuple(sorted({key.verb for key in self.frames}))
+
+    def with_space(self, space: HypothesisSpace) -> VerbKnowledge:
+        """Knowledge with one demonstration more; other frames are shared."""
+        key = space.demonstration.frame
+        frame = self.frames.get(key) or FrameSpace(key, ())
+        return VerbKnowledge({**self.frames, key: frame.with_space(space)})
+
+    def without(self, space: HypothesisSpace) -> VerbKnowledge:
+        """Knowledge without one occurrence of ``space``. Raises ``ValueError`` if there is none."""
+        key = space.demonstration.frame
+        if key not in self.frames:
+            raise ValueError(f"nothing is known of {key}")
+        frame = self.frames[key].without(space)
+        others = {k: f for k, f in self.frames.items() if k != key}
+        return VerbKnowledge({**others, key: frame} if frame.spaces else others)
+
+    def replaced(self, old: HypothesisSpace, new: HypothesisSpace | None) -> VerbKnowledge:
+        """Knowledge in which a corrected space stands for ``old``; None takes it away."""
+        rest = self.without(old)
+        return rest if new is None else rest.with_space(new)
+
+    @cached_property
+    def digest(self) -> str:
+        """SHA-256 over the spaces' digests: the content hash, free of the order of learning."""
+        text = "\n".join(space.digest for space in self.spaces)
+        return hashlib.sha256(text.encode()).hexdigest()
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain JSON: the demonstrations' spaces, from which ``from_json`` rebuilds the rest."""
+        return {"spaces": [space.to_json() for space in self.spaces]}
+
+    @classmethod
+    def from_json(cls, data: Mapping[str, Any]) -> VerbKnowledge:
+        """Rebuild knowledge, without planning. Raises ``ValueError`` on other data."""
+        if not isinstance(data.get("spaces"), list):
+            raise ValueError("not verb knowledge: the list 'spaces' is missing")
+        return cls.merged(HypothesisSpace.from_json(space) for space in data["spaces"])

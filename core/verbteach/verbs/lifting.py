@@ -1,0 +1,157 @@
+"""Lifting: from a goal about these objects to a hypothesis about any, and back.
+
+The command's arguments become variables ``?0``, ``?1``. Any other thing is
+abstracted to its affordance set, ``<graspable+pourable>0``; the number tells
+apart things with the same set. Lifted literals are ordinary literals over such
+terms, and their sorted tuple is the same for all goals that are equal up to
+renaming, so that equality means merging.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TypeAlias
+
+from verbteach.verbs.setting import Setting
+from verbteach.world.fluents import Fluent, Goal, Literal
+
+Lifted: TypeAlias = tuple[Literal, ...]
+"""A lifted conjunction, sorted: a hypothesis."""
+
+Binding: TypeAlias = tuple[str, ...]
+"""The things that stand for the abstract terms of a hypothesis, in the terms' sorted order."""
+
+_Colours: TypeAlias = dict[str, int]
+_Shade: TypeAlias = tuple[int, str]
+_Signature: TypeAlias = tuple[int, tuple[tuple[bool, str, tuple[_Shade, ...]], ...]]
+
+_BRANCHING = 24
+"""Orders of interchangeable things that are tried before the first one is taken as it is."""
+
+
+def variable(index: int) -> str:
+    """The variable of the command's noun phrase number ``index``."""
+    return f"?{index}"
+
+
+def is_variable(term: str) -> bool:
+    """Whether a term is an argument's variable."""
+    return term.startswith("?")
+
+
+def is_abstract(term: str) -> bool:
+    """Whether a term stands for a thing that is no argument."""
+    return term.startswith("<")
+
+
+def affordances_of(term: str) -> frozenset[str]:
+    """The affordance set that an abstract term names."""
+    return frozenset(word for word in term[1 : term.rindex(">")].split("+") if word)
+
+
+def terms_of(hypothesis: Iterable[Literal]) -> tuple[str, ...]:
+    """The hypothesis's abstract terms, sorted: what a binding binds."""
+    words = {word for literal in hypothesis for word in literal.fluent.args}
+    return tuple(sorted(word for word in words if is_abstract(word)))
+
+
+def rename(literals: Iterable[Literal], names: Mapping[str, str]) -> Iterable[Literal]:
+    """Replace words in the literals' arguments, those that ``names`` knows."""
+    for (predicate, args), positive in literals:
+        yield Literal(Fluent(predicate, tuple(names.get(a, a) for a in args)), positive)
+
+
+def lift(goal: Goal, grounding: Sequence[str], setting: Setting) -> tuple[Lifted, Binding]:
+    """Abstract a goal; the binding says which things its abstract terms stood for.
+
+    Two noun phrases with the same object share the first one's variable.
+    """
+    names: dict[str, str] = {}
+    for index, thing in enumerate(grounding):
+        names.setdefault(thing, variable(index))
+    words = {word for literal in goal for word in literal.fluent.args}
+    others = sorted(w for w in words if w in setting.affordances and w not in names)
+    labels = {o: "+".join(sorted(setting.affordances[o])) for o in others}
+    names.update(_number(_canonical_order(tuple(rename(goal, names)), labels), labels))
+    hypothesis = tuple(sorted(rename(goal, names)))
+    stands_for = {names[o]: o for o in others}
+    return hypothesis, tuple(stands_for[term] for term in sorted(stands_for))
+
+
+def bind(hypothesis: Lifted, grounding: Sequence[str], binding: Binding) -> Goal | None:
+    """The goal for new arguments and things; None if it contradicts itself or lacks an argument."""
+    names = {variable(i): thing for i, thing in enumerate(grounding)}
+    names.update(zip(terms_of(hypothesis), binding, strict=True))
+    goal = frozenset(rename(hypothesis, names))
+    fluents = {literal.fluent for literal in goal}
+    if len(fluents) < len(goal) or any(is_variable(a) for f in fluents for a in f.args):
+        return None
+    return goal
+
+
+def _number(order: Sequence[str], labels: Mapping[str, str]) -> dict[str, str]:
+    seen: dict[str, int] = {}
+    names = {}
+    for thing in order:
+        label = labels[thing]
+        names[thing] = f"<{label}>{seen.setdefault(label, 0)}"
+        seen[label] += 1
+    return names
+
+
+def _canonical_order(literals: Lifted, labels: Mapping[str, str]) -> list[str]:
+    """Order things by label and then by their place in the literals, blind to their ids."""
+    if len(set(labels.values())) == len(labels):
+        return sorted(labels, key=lambda o: labels[o])
+    ranks = {label: i for i, label in enumerate(sorted(set(labels.values())))}
+    colours = _refine(literals, {o: ranks[label] for o, label in labels.items()})
+    return _individualise(literals, colours, labels, _BRANCHING)[1]
+
+
+def _refine(literals: Lifted, colours: _Colours) -> _Colours:
+    """Split things of one colour by the literals they occur in, until nothing splits."""
+    while True:
+        signatures = {o: _signature(o, literals, colours) for o in colours}
+        ranks = {s: i for i, s in enumerate(sorted(set(signatures.values())))}
+        finer = {o: ranks[s] for o, s in signatures.items()}
+        if len(ranks) == len(set(colours.values())):
+            return finer
+        colours = finer
+
+
+def _signature(thing: str, literals: Lifted, colours: _Colours) -> _Signature:
+    own = (
+        (positive, predicate, tuple(_shade(a, thing, colours) for a in args))
+        for (predicate, args), positive in literals
+        if thing in args
+    )
+    return (colours[thing], tuple(sorted(own)))
+
+
+def _shade(word: str, thing: str, colours: _Colours) -> _Shade:
+    if word == thing:
+        return (-2, "")
+    return (colours[word], "") if word in colours else (-1, word)
+
+
+def _individualise(
+    literals: Lifted, colours: _Colours, labels: Mapping[str, str], budget: int
+) -> tuple[Lifted, list[str]]:
+    """Break the first tie each way (within ``budget``) and take the least reading."""
+    order = sorted(colours, key=lambda o: (colours[o], o))
+    ties = [[o for o in order if colours[o] == colour] for colour in sorted(set(colours.values()))]
+    tied = next((cell for cell in ties if len(cell) > 1), None)
+    if tied is None:
+        return tuple(sorted(rename(literals, _number(order, labels)))), order
+    tried = tied if len(tied) <= budget else tied[:1]
+    doubled = {o: 2 * colour + 1 for o, colour in colours.items()}
+    readings = (
+        _individualise(
+            literals,
+            _refine(literals, {**doubled, first: doubled[first] - 1}),
+            labels,
+            budget // len(tied),
+        )
+        for first in tried
+    )
+    return min(readings, key=lambda reading: reading[0])
