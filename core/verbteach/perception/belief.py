@@ -1,0 +1,135 @@
+"""What the robot believes of a state: a confidence for each fluent, never more than that.
+
+A confidence is a probability, not a proof: at one half or below nothing is
+taken for true. An answer settles a fluent.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+from verbteach.world.fluents import Fluent, State
+
+BELIEVED = 0.5
+
+
+class Exclusivity(NamedTuple):
+    """At most one fluent of ``predicates`` is true for one value of argument ``position``.
+
+    ``Exclusivity(("on", "in"), 0)``: a thing is in one place.
+    """
+
+    predicates: tuple[str, ...]
+    position: int = 0
+
+    def group(self, fluent: Fluent) -> str | None:
+        """What the fluent is in competition about; None if the rule is not about it."""
+        if fluent.predicate not in self.predicates or len(fluent.args) <= self.position:
+            return None
+        return fluent.args[self.position]
+
+
+@dataclass(frozen=True)
+class Belief:
+    """Confidences above 0, in the fluents' order; a fluent left out has confidence 0."""
+
+    confidences: Mapping[Fluent, float] = field(default_factory=dict)
+    exclusive: tuple[Exclusivity, ...] = ()
+
+    @classmethod
+    def of(
+        cls, confidences: Mapping[Fluent, float], exclusive: tuple[Exclusivity, ...] = ()
+    ) -> Belief:
+        """Sort, check and keep. Raises ``ValueError`` for a confidence outside [0, 1]."""
+        for fluent, confidence in confidences.items():
+            if not 0.0 <= confidence <= 1.0:
+                raise ValueError(f"{fluent}: a confidence is between 0 and 1, not {confidence}")
+        kept = {f: float(confidences[f]) for f in sorted(confidences) if confidences[f] > 0.0}
+        return cls(kept, exclusive)
+
+    @classmethod
+    def certain(cls, state: State, exclusive: tuple[Exclusivity, ...] = ()) -> Belief:
+        """The belief of one who sees everything."""
+        return cls.of(dict.fromkeys(state, 1.0), exclusive)
+
+    def __getitem__(self, fluent: Fluent) -> float:
+        return self.confidences.get(fluent, 0.0)
+
+    def items(self) -> Iterator[tuple[Fluent, float]]:
+        """Fluents with confidence above 0, in their order."""
+        return iter(self.confidences.items())
+
+    def believed(self, threshold: float = BELIEVED) -> State:
+        """The fluents strictly above ``threshold``; of exclusive ones only the likeliest."""
+        above = frozenset(f for f, confidence in self.items() if confidence > threshold)
+        return above - self._beaten(above)
+
+    def answered(self, fluent: Fluent, truth: bool) -> Belief:
+        """The belief after a yes (the fluent at 1, its rivals at 0) or a no (at 0)."""
+        changed = dict(self.confidences)
+        if truth:
+            changed.update(dict.fromkeys(self.rivals(fluent), 0.0))
+        changed[fluent] = float(truth)
+        return Belief.of(changed, self.exclusive)
+
+    def rivals(self, fluent: Fluent) -> tuple[Fluent, ...]:
+        """The other fluents that cannot be true beside this one, in their order."""
+        return tuple(
+            other
+            for other, _ in self.items()
+            if other != fluent and any(_compete(rule, fluent, other) for rule in self.exclusive)
+        )
+
+    def entropy_of(self, fluent: Fluent) -> float:
+        """The uncertainty about one fluent, in bits: 1 at one half, 0 when settled."""
+        return entropy(self[fluent])
+
+    @property
+    def entropy(self) -> float:
+        """The uncertainty about all fluents, in bits, taking them for independent."""
+        return math.fsum(entropy(confidence) for _, confidence in self.items())
+
+    def to_json(self) -> dict[str, float]:
+        """Fluents as text with their confidences; the exclusivities are the scene's, not kept."""
+        return {str(fluent): confidence for fluent, confidence in self.items()}
+
+    @classmethod
+    def from_json(cls, data: Mapping[str, Any], exclusive: tuple[Exclusivity, ...] = ()) -> Belief:
+        """Read what ``to_json`` wrote. Raises ``ValueError`` on other data."""
+        return cls.of({Fluent.parse(text): float(c) for text, c in data.items()}, exclusive)
+
+    def _beaten(self, fluents: State) -> State:
+        """Those of ``fluents`` that a likelier rival excludes; among equals the first stays."""
+        standing: dict[tuple[int, str], Fluent] = {}
+        beaten = set()
+        for fluent in sorted(fluents, key=lambda f: (-self[f], f)):
+            groups = self._groups(fluent)
+            if any(group in standing for group in groups):
+                beaten.add(fluent)
+            else:
+                standing.update(dict.fromkeys(groups, fluent))
+        return frozenset(beaten)
+
+    def _groups(self, fluent: Fluent) -> list[tuple[int, str]]:
+        named = ((index, rule.group(fluent)) for index, rule in enumerate(self.exclusive))
+        return [(index, group) for index, group in named if group is not None]
+
+
+def entropy(probability: float) -> float:
+    """The entropy of a yes or no with this probability, in bits."""
+    rest = 1.0 - probability
+    return -sum(p * math.log2(p) for p in (probability, rest) if p > 0.0)
+
+
+def change_probability(before: Belief, after: Belief, fluent: Fluent) -> float:
+    """The probability that a fluent differs between two states seen independently."""
+    start, end = before[fluent], after[fluent]
+    return end * (1.0 - start) + start * (1.0 - end)
+
+
+def _compete(rule: Exclusivity, one: Fluent, other: Fluent) -> bool:
+    group = rule.group(one)
+    return group is not None and group == rule.group(other)

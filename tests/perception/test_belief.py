@@ -1,0 +1,105 @@
+"""Beliefs: thresholds, answers, exclusive fluents, entropy."""
+
+from __future__ import annotations
+
+import json
+import pickle
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.perception.strategies import PLACE, beliefs, fluents, states
+from verbteach.perception.belief import Belief, change_probability, entropy
+from verbteach.world.fluents import Fluent, State
+
+ON = Fluent("on", ("Cup_1", "Tray_1"))
+IN = Fluent("in", ("Cup_1", "Sink"))
+NEAR = Fluent("near", ("Cup_1", "Sink"))
+
+
+@given(states())
+def test_who_sees_everything_believes_the_state(state: State) -> None:
+    belief = Belief.certain(state)
+    assert belief.believed() == state
+    assert belief.entropy == 0.0
+
+
+def test_one_half_is_not_believed() -> None:
+    belief = Belief.of({ON: 0.5, NEAR: 0.5000001})
+    assert belief.believed() == {NEAR}
+    assert belief.believed(threshold=0.4) == {ON, NEAR}
+
+
+@given(beliefs(), fluents, st.booleans())
+def test_an_answer_settles_its_fluent_and_nothing_else(
+    belief: Belief, fluent: Fluent, truth: bool
+) -> None:
+    after = belief.answered(fluent, truth)
+    assert after[fluent] == float(truth)
+    assert (fluent in after.believed()) == truth
+    assert after.entropy_of(fluent) == 0.0
+    assert {f: c for f, c in after.items() if f != fluent} == {
+        f: c for f, c in belief.items() if f != fluent
+    }
+    assert belief[fluent] == dict(belief.items()).get(fluent, 0.0)
+
+
+@given(beliefs((PLACE,)), fluents)
+def test_a_yes_takes_the_rivals_away(belief: Belief, fluent: Fluent) -> None:
+    rivals = belief.rivals(fluent)
+    after = belief.answered(fluent, True)
+    assert all(after[rival] == 0.0 for rival in rivals)
+    assert fluent in after.believed()
+    assert all({r.args[0], r.predicate} <= {fluent.args[0], "on", "in"} for r in rivals)
+
+
+@given(beliefs((PLACE,)))
+def test_a_believed_state_has_each_thing_in_one_place(belief: Belief) -> None:
+    believed = belief.believed()
+    placed = [f.args[0] for f in believed if f.predicate in PLACE.predicates]
+    assert len(placed) == len(set(placed))
+    above = {f for f, confidence in belief.items() if confidence > 0.5}
+    for beaten in above - believed:
+        assert any(belief[rival] >= belief[beaten] for rival in belief.rivals(beaten))
+    assert {f for f in above if f.predicate == "near"} <= believed
+
+
+def test_the_likelier_place_wins() -> None:
+    belief = Belief.of({ON: 0.7, IN: 0.8, NEAR: 0.9}, (PLACE,))
+    assert belief.believed() == {IN, NEAR}
+    assert belief.answered(IN, False).believed() == {ON, NEAR}
+    assert Belief.of({ON: 0.7, IN: 0.8}).believed() == {ON, IN}
+
+
+@given(beliefs())
+def test_items_are_sorted_and_above_zero(belief: Belief) -> None:
+    rows = list(belief.items())
+    assert rows == sorted(rows)
+    assert all(confidence > 0 for _, confidence in rows)
+
+
+@given(beliefs())
+def test_json_and_pickle_round_trip(belief: Belief) -> None:
+    assert Belief.from_json(json.loads(json.dumps(belief.to_json()))) == belief
+    assert pickle.loads(pickle.dumps(belief)) == belief
+
+
+@given(st.floats(0, 1))
+def test_entropy_is_symmetric_and_largest_at_one_half(probability: float) -> None:
+    assert entropy(probability) == pytest.approx(entropy(1 - probability), abs=1e-9)
+    assert 0 <= entropy(probability) <= entropy(0.5) == 1.0
+
+
+def test_the_probability_of_a_change() -> None:
+    before, after = Belief.of({ON: 0.9}), Belief.of({ON: 0.2, NEAR: 0.6})
+    assert change_probability(before, after, ON) == pytest.approx(0.2 * 0.1 + 0.9 * 0.8)
+    assert change_probability(before, after, NEAR) == pytest.approx(0.6)
+    assert change_probability(before, before, IN) == 0.0
+
+
+def test_what_is_no_confidence_is_refused() -> None:
+    with pytest.raises(ValueError, match="between 0 and 1"):
+        Belief.of({ON: 1.5})
+    with pytest.raises(ValueError, match="not a fluent"):
+        Belief.from_json({"": 0.5})
