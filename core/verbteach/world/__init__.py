@@ -1,1 +1,1 @@
-"""Worlds as plain values: fluents, domains, scenes, the grounded task, the simulator, the planner."""
+"""Worlds as plain values: fluents, domains, scenes, the grounded task, simulator and planner."""
