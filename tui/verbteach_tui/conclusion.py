@@ -10,6 +10,8 @@ import sys
 import traceback
 from collections.abc import Callable
 
+from verbteach_tui.views.visible import shortened
+
 DONE = 0
 CHECK_FAILED = 1
 WRONG_USE = 2
@@ -40,12 +42,7 @@ def concluded(command: Callable[[], int | None], name: str = "verbteach") -> int
 
 def complain(name: str, message: str) -> None:
     """Print ``message`` as one line on standard error."""
-    print(f"{name}: {' '.join(printable(message).split())}", file=sys.stderr)
-
-
-def printable(text: str) -> str:
-    """``text`` with control characters written out, so that it cannot act on a terminal."""
-    return "".join(c if c.isprintable() or c in "\n\t" else repr(c)[1:-1] for c in text)
+    print(f"{name}: {shortened(' '.join(message.split()))}", file=sys.stderr)
 
 
 def complaint(error: Exception) -> str | None:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-from verbteach_tui.conclusion import printable
+from verbteach_tui.views.visible import visible
 
 
 def emit(document: Any) -> None:
@@ -18,13 +18,17 @@ def emit(document: Any) -> None:
 
 
 def tell(text: str = "") -> None:
-    """Print a line that answers the person."""
-    print(printable(text))
+    """Print lines that answer the person."""
+    print(_visible(text))
 
 
 def note(text: str) -> None:
     """Print a line beside the answer: a warning, or how to go on."""
-    print(printable(text), file=sys.stderr)
+    print(_visible(text), file=sys.stderr)
+
+
+def _visible(text: str) -> str:
+    return "\n".join(map(visible, text.split("\n")))
 
 
 def columns(rows: Sequence[Sequence[object]]) -> str:

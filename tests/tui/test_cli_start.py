@@ -1,0 +1,117 @@
+"""The way in: version, help, home without a terminal, wrong use, completion, bugs."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from unittest.mock import patch
+
+import pytest
+import typer
+
+from tests.tui.commandline import assert_refused, here, process
+from verbteach import __version__
+from verbteach_tui.commands.tree import build
+from verbteach_tui.conclusion import BUG, INTERRUPTED, concluded
+
+
+def test_version_alone_and_beside_other_words_say_the_same() -> None:
+    assert here("--version").out == f"verbteach {__version__}\n"
+    assert here("--version", "doctor").out == f"verbteach {__version__}\n"
+
+
+def test_version_imports_nothing_that_costs_time() -> None:
+    code = (
+        "import sys; from verbteach_tui.cli import main; main(['--version']);"
+        "print(sorted({m.split('.')[0] for m in sys.modules}))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    for heavy in ("typer", "numpy", "textual", "rich", "prompt_toolkit", "pddl", "argparse"):
+        assert f"'{heavy}'" not in done.stdout
+
+
+def test_the_tree_of_commands_loads_nothing_heavy() -> None:
+    code = (
+        "import sys; from verbteach_tui.commands.tree import build; build();"
+        "print(sorted({m.split('.')[0] for m in sys.modules}))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    for heavy in ("numpy", "textual", "rich", "prompt_toolkit", "pddl", "joblib"):
+        assert f"'{heavy}'" not in done.stdout
+
+
+def test_without_a_terminal_home_says_how_to_go_on() -> None:
+    assert_refused(here(), "terminal", "verbteach teach --plain")
+    assert_refused(process(), "terminal", "verbteach teach --plain")
+
+
+@pytest.mark.parametrize("words", [("--help",), ("-h",), ("doctor", "--help")])
+def test_help_is_plain_text_with_examples(words: tuple[str, ...]) -> None:
+    ran = here(*words)
+    assert ran.status == 0
+    assert "Examples:" in ran.out
+    assert "\x1b" not in ran.out
+
+
+def test_an_unknown_command_is_offered_a_near_one() -> None:
+    assert_refused(here("doctr"), "doctr", "doctor", "--help")
+
+
+def test_an_unknown_option_is_offered_a_near_one() -> None:
+    assert_refused(here("doctor", "--jsn"), "--jsn", "--json", "verbteach doctor --help")
+
+
+def test_what_the_person_typed_cannot_act_on_the_terminal() -> None:
+    ran = here("\x1b[31mdoctor\nagain")
+    assert_refused(ran)
+    assert "\x1b" not in ran.err
+
+
+def test_a_shell_gets_completions() -> None:
+    asked = {
+        "_VERBTEACH_COMPLETE": "complete_bash",
+        "COMP_WORDS": "verbteach doc",
+        "COMP_CWORD": "1",
+    }
+    done = subprocess.run(
+        [sys.executable, "-m", "verbteach_tui"],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, **asked},
+    )
+    assert done.stdout.split() == ["doctor"]
+
+
+def test_a_bug_shows_its_traceback_and_an_own_status() -> None:
+    def broken() -> int:
+        raise ZeroDivisionError("nothing to divide by")
+
+    with patch("sys.stderr") as err:
+        assert concluded(broken) == BUG
+    said = "".join(call.args[0] for call in err.write.call_args_list)
+    assert "nothing to divide by" in said
+    assert "bug" in said
+
+
+def test_an_interrupt_is_not_a_bug() -> None:
+    def interrupted() -> int:
+        raise KeyboardInterrupt
+
+    assert concluded(interrupted) == INTERRUPTED
+
+
+def test_every_command_has_examples_that_start_with_it() -> None:
+    for path, command in _commands(typer.main.get_command(build()), "verbteach"):
+        assert command.epilog, path
+        lines = [line.strip() for line in command.epilog.splitlines()[2:]]
+        assert lines, path
+        assert all(line.split()[0] == "verbteach" or "| verbteach" in line for line in lines), path
+
+
+def _commands(command: object, path: str) -> list[tuple[str, typer.core.TyperCommand]]:
+    own = [(path, command)]
+    for name, inner in getattr(command, "commands", {}).items():
+        own += _commands(inner, f"{path} {name}")
+    return own  # type: ignore[return-value]
