@@ -64,13 +64,17 @@ def things_of(
     end: State,
     setting: Setting,
 ) -> frozenset[str]:
-    """The things in ``object_set``; ``actions`` and ``end`` are the demonstration's."""
-    things = frozenset(setting.affordances)
-    chosen = frozenset(arguments) & things
+    """The things in ``object_set``; ``actions`` and ``end`` are the demonstration's.
+
+    A constant that the command speaks of ("boil the water") is a thing too.
+    """
+    chosen = frozenset(arguments)
+    things = frozenset(setting.affordances) | chosen
     if object_set is ObjectSet.ALL:
         return things
     if object_set is ObjectSet.MANIPULATED:
-        return frozenset(word for action in actions for word in action.args) & things
+        handled = frozenset(word for action in actions for word in action.args)
+        return (handled & things) | (chosen - frozenset(setting.affordances))
     if object_set is ObjectSet.ARGUMENT_RELATED:
         beside = (f.args for f in end if chosen.intersection(f.args))
         return chosen | (frozenset(word for args in beside for word in args) & things)
@@ -81,7 +85,7 @@ def restrict(goal: Goal, things: frozenset[str], setting: Setting, touch: Touch)
     """The literals of ``goal`` about ``things``; a literal about no thing at all stays out."""
     kept = []
     for literal in goal:
-        own = [word for word in literal.fluent.args if word in setting.affordances]
+        own = [w for w in literal.fluent.args if w in setting.affordances or w in things]
         inside = [word in things for word in own]
         if (all(inside) if touch is Touch.EVERY else any(inside)) and own:
             kept.append(literal)
