@@ -58,3 +58,20 @@ class Instance:
     def frame(self) -> tuple[str, int]:
         """The verb and the number of grounded noun phrases: what hypotheses are filed under."""
         return self.verb, len(self.phrases)
+
+    @property
+    def changed_objects(self) -> frozenset[str]:
+        """Every object that a changed fluent speaks of, and values such as ``Water`` with them."""
+        return frozenset(word for fluent in self.start ^ self.end for word in fluent.args)
+
+    @property
+    def narrowed(self) -> tuple[tuple[str, ...], ...]:
+        """The candidates of each phrase that the demonstration changed; all where it changed none.
+
+        This is the published baseline's grounding (``oracle``). It looks at
+        the outcome, so a score that uses it on new commands must say so.
+        """
+        changed = self.changed_objects
+        return tuple(
+            tuple(o for o in objects if o in changed) or objects for objects in self.candidates
+        )
