@@ -1,0 +1,120 @@
+"""The planner: search on the grounded task, its plans refined, its answers remembered.
+
+One planner serves one task and any number of states and goals. Bounded by
+expansions, never by time; the same question has the same answer whatever was
+asked before and whichever path, plain or compiled, does the searching.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from dataclasses import dataclass
+from typing import Protocol
+
+from verbteach.world.fluents import Goal, Literal, State
+from verbteach.world.plan import FailureReason, Plan, PlanFailure
+from verbteach.world.refinement import EncodedGoal, refined
+from verbteach.world.relaxed import RelaxedTask
+from verbteach.world.search import Exhausted, SearchLimits, Steps, search
+from verbteach.world.task import Task
+
+
+@dataclass(frozen=True)
+class PlannerConfig:
+    """Bounds of the search and size of the memory.
+
+    ``expansions`` is the number of states judged before giving up: 2,000 suit
+    a person waiting, 300 to 500 suit training. ``boost`` is how many turns
+    progress earns the preferred operators. ``remembered`` answers are kept.
+    """
+
+    expansions: int = 2000
+    boost: int = 1000
+    remembered: int = 20_000
+
+    @property
+    def limits(self) -> SearchLimits:
+        """What the search itself is told."""
+        return SearchLimits(self.expansions, self.boost)
+
+
+class Engine(Protocol):
+    """A way to search a task: the plain one here, or the compiled one."""
+
+    def search(self, bits: int, goal: tuple[int, ...], limits: SearchLimits) -> Steps | Exhausted:
+        """Return action numbers that lead from ``bits`` to the goal, or why there are none."""
+        ...
+
+
+class PlainEngine:
+    """The search in plain Python."""
+
+    def __init__(self, task: Task, relaxed: RelaxedTask) -> None:
+        self.task = task
+        self.relaxed = relaxed
+
+    def search(self, bits: int, goal: tuple[int, ...], limits: SearchLimits) -> Steps | Exhausted:
+        """Return action numbers that lead from ``bits`` to the goal, or why there are none."""
+        return search(self.task, self.relaxed, bits, goal, limits)
+
+
+class SearchPlanner:
+    """Plans on one task; satisfies the ``Planner`` protocol."""
+
+    def __init__(
+        self,
+        task: Task,
+        config: PlannerConfig = PlannerConfig(),
+        engine: Engine | None = None,
+        relaxed: RelaxedTask | None = None,
+    ) -> None:
+        self.task = task
+        self.config = config
+        self.relaxed = relaxed or RelaxedTask(task)
+        self.engine = engine or PlainEngine(task, self.relaxed)
+        self._answers: OrderedDict[tuple[int, Goal], Plan | PlanFailure] = OrderedDict()
+
+    def plan(self, state: State, goal: Goal) -> Plan | PlanFailure:
+        """Plan from ``state`` to a state in which every literal of ``goal`` holds."""
+        open_goal = self._open_goal(state, goal)
+        if isinstance(open_goal, PlanFailure):
+            return open_goal
+        bits = self.task.encode(state)
+        key = (bits, open_goal)
+        if key in self._answers:
+            self._answers.move_to_end(key)
+            return self._answers[key]
+        answer = self._answers[key] = self._search(bits, open_goal)
+        if len(self._answers) > self.config.remembered:
+            self._answers.popitem(last=False)
+        return answer
+
+    def _open_goal(self, state: State, goal: Goal) -> Goal | PlanFailure:
+        """Return the literals that actions can change, unless another one rules a plan out."""
+        unknown = sorted(x.fluent for x in goal if not self.task.is_fluent(x.fluent))
+        if unknown:
+            return PlanFailure(FailureReason.UNKNOWN_FLUENT, str(unknown[0]))
+        settled = self.task.static.union(state)
+        fixed = [x for x in goal if x.fluent not in self.task.bit]
+        lost = [x for x in fixed if not x.holds(settled)]
+        lost += [x for x in goal if Literal(x.fluent, not x.positive) in goal]
+        if lost:
+            return PlanFailure(FailureReason.UNREACHABLE, str(min(lost)))
+        return goal.difference(fixed)
+
+    def _search(self, bits: int, goal: Goal) -> Plan | PlanFailure:
+        numbers = self.relaxed.propositions(goal)
+        found = self.engine.search(bits, numbers, self.config.limits)
+        if isinstance(found, Exhausted):
+            if found.bound:
+                return PlanFailure(FailureReason.BOUND, f"{self.config.expansions} states judged")
+            return PlanFailure(FailureReason.UNREACHABLE)
+        actions = self.task.actions
+        steps = refined(bits, [actions[number] for number in found], self._encoded(goal))
+        return Plan(tuple(step.action for step in steps))
+
+    def _encoded(self, goal: Goal) -> EncodedGoal:
+        return EncodedGoal(
+            self.task.encode(x.fluent for x in goal if x.positive),
+            self.task.encode(x.fluent for x in goal if not x.positive),
+        )

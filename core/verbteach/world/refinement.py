@@ -1,0 +1,103 @@
+"""Making a greedy plan shorter and its order more like a person's.
+
+Needless actions go (action elimination, Nakhost and Mueller 2010), and a step
+that needs nothing from the plan, such as moving to something, is moved next
+to the first step that needs it. Every change is kept only if the plan still
+runs and still reaches the goal.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from verbteach.world.task import GroundAction
+
+
+class EncodedGoal(NamedTuple):
+    """Bits that must be set at the end, and bits that must not be."""
+
+    true: int
+    false: int
+
+    def holds(self, bits: int) -> bool:
+        """Whether the goal holds in the encoded state."""
+        return bits & self.true == self.true and not bits & self.false
+
+
+def refined(bits: int, plan: Sequence[GroundAction], goal: EncodedGoal) -> list[GroundAction]:
+    """Return the plan from ``bits`` without needless steps, each step near its use."""
+    return _gathered(bits, without_needless(bits, plan, goal), goal)
+
+
+def without_needless(
+    bits: int, plan: Sequence[GroundAction], goal: EncodedGoal
+) -> list[GroundAction]:
+    """Drop steps, each with all later steps that only it made possible, while the goal holds.
+
+    The first steps are tried first, again from the start after each success.
+    """
+    kept = list(plan)
+    position = 0
+    while position < len(kept):
+        shorter = _without(bits, kept, position, goal)
+        if shorter is None:
+            position += 1
+        else:
+            kept, position = shorter, 0
+    return kept
+
+
+def _without(
+    bits: int, plan: Sequence[GroundAction], position: int, goal: EncodedGoal
+) -> list[GroundAction] | None:
+    """Leave out one step and what can then not be done; none where the goal is lost."""
+    kept = list(plan[:position])
+    for step in kept:
+        bits = step.result(bits)
+    for step in plan[position + 1 :]:
+        if step.applicable(bits):
+            kept.append(step)
+            bits = step.result(bits)
+    return kept if goal.holds(bits) else None
+
+
+def _gathered(bits: int, plan: list[GroundAction], goal: EncodedGoal) -> list[GroundAction]:
+    """Move each step that needs nothing from the plan to just before its first use, last first."""
+    for position in range(len(plan) - 2, -1, -1):
+        links = _links(bits, plan)
+        first = min((use for maker, use in links if maker == position), default=0)
+        if first <= position + 1 or any(use == position for _, use in links):
+            continue
+        moved = [*plan[:position], *plan[position + 1 : first], plan[position], *plan[first:]]
+        if _runs(bits, moved, goal):
+            plan = moved
+    return plan
+
+
+def _links(bits: int, plan: Sequence[GroundAction]) -> list[tuple[int, int]]:
+    """Pairs of steps (maker, use): the maker was the last to bring about what the use needs."""
+    made: list[tuple[int, int]] = []
+    found: list[tuple[int, int]] = []
+    for use, step in enumerate(plan):
+        true, false = step.needs_true, step.needs_false
+        for when in step.conditional:
+            if bits & when.needs_true == when.needs_true and not bits & when.needs_false:
+                true, false = true | when.needs_true, false | when.needs_false
+        for maker in range(use - 1, -1, -1):
+            came, went = made[maker]
+            if true & came or false & went:
+                found.append((maker, use))
+                true, false = true & ~came, false & ~went
+        after = step.result(bits)
+        made.append((after & ~bits, bits & ~after))
+        bits = after
+    return found
+
+
+def _runs(bits: int, plan: Sequence[GroundAction], goal: EncodedGoal) -> bool:
+    for step in plan:
+        if not step.applicable(bits):
+            return False
+        bits = step.result(bits)
+    return goal.holds(bits)
