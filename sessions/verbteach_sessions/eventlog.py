@@ -1,0 +1,248 @@
+"""The log of a session on disk: read line by line, appended to by one writer.
+
+It knows bytes, hashes and the disk, and nothing of what the events mean.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from hashlib import sha256
+from pathlib import Path
+from typing import Any, NamedTuple, NoReturn
+
+from verbteach_sessions import lines
+from verbteach_sessions.errors import (
+    DamagedLogError,
+    LogError,
+    NewerLogError,
+    NotASessionError,
+    StorageError,
+)
+from verbteach_sessions.files import open_private, open_regular, sync_folder, write_all
+from verbteach_sessions.lines import GENESIS, MAX_LINE, Event
+from verbteach_sessions.lock import WriterLock
+
+LOG_NAME = "events.jsonl"
+
+
+class Draft(NamedTuple):
+    """An event not yet written."""
+
+    type: str
+    at: float
+    data: Mapping[str, Any]
+
+
+class Position(NamedTuple):
+    """The end of a log: the next event's number, the last line's hash, the length in bytes."""
+
+    seq: int = 0
+    prev: str = GENESIS
+    size: int = 0
+
+
+def log_path(path: Path) -> Path:
+    """The log's file, given it or its folder."""
+    return path / LOG_NAME if path.is_dir() else path
+
+
+class LogReader:
+    """Iterates over a log's events once, checking each line's hash, number and version.
+
+    Raises :class:`LogError` at the first line that does not fit. A last line
+    that was not written to its end is left out; ``torn`` then holds its bytes.
+    ``position`` is the end of what was read, ``before_last`` the end before its
+    last event.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self.path = log_path(path)
+        self.position = self.before_last = Position()
+        self.torn = b""
+        self.unfinished = False
+
+    def __iter__(self) -> Iterator[Event]:
+        with open_regular(self.path) as file:
+            while raw := file.readline(MAX_LINE + 1):
+                if len(raw) > MAX_LINE:
+                    self._refuse(LogError, f"is longer than {MAX_LINE} bytes")
+                if raw.endswith(b"\n"):
+                    yield self._read(raw)
+                elif self._is_whole(raw):
+                    self.unfinished = True
+                    yield self._read(raw + b"\n")
+                else:
+                    self.torn = raw
+        if self.position.seq == 0:
+            raise NotASessionError(f"{self.path}: holds no event; nothing was said in this session")
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What was not as it should be and yet did no harm."""
+        line = self.position.seq + 1
+        if self.torn:
+            return (
+                f"line {line} was not written to its end ({len(self.torn)} bytes) and is left"
+                " out; it had not been acknowledged",
+            )
+        return (f"line {line - 1} lacks its line end",) if self.unfinished else ()
+
+    def _is_whole(self, raw: bytes) -> bool:
+        try:
+            lines.decode(raw)
+        except lines.NewerVersionError:
+            return True
+        except lines.LineError:
+            return False
+        return True
+
+    def _read(self, raw: bytes) -> Event:
+        try:
+            event, prev = lines.decode(raw[:-1])
+        except lines.NewerVersionError as error:
+            self._refuse(NewerLogError, str(error), "update verbteach to read it")
+        except lines.ChangedLineError as error:
+            self._refuse(DamagedLogError, str(error), self._restore())
+        except lines.LineError as error:
+            self._refuse(LogError, str(error), self._restore())
+        self._check_chain(event, prev)
+        seq, _, size = self.before_last = self.position
+        self.position = Position(seq + 1, sha256(raw).hexdigest(), size + len(raw))
+        return event
+
+    def _check_chain(self, event: Event, prev: str) -> None:
+        expected = self.position.seq
+        if event.seq != expected:
+            problem = f"is event {event.seq} where event {expected} should stand"
+            self._refuse(DamagedLogError, problem, self._restore())
+        if prev != self.position.prev:
+            problem = "does not follow the line before it, which was replaced"
+            self._refuse(DamagedLogError, problem, self._restore())
+
+    def _restore(self) -> str:
+        last = self.position.seq - 1
+        if last < 0:
+            return "restore the file from a copy"
+        return f"restore the file from a copy, or look at what is whole with `replay --to {last}`"
+
+    def _refuse(self, kind: type[LogError], problem: str, advice: str = "") -> NoReturn:
+        raise kind(self.path, self.position.seq + 1, problem, advice)
+
+
+class EventLog:
+    """The one writer of a log. What :meth:`append` returns is on the disk.
+
+    ``position`` is the log's end; ``before_last`` what it was before the last
+    event, as long as nothing was appended since opening.
+    """
+
+    def __init__(self, path: Path, fd: int, lock: WriterLock, position: Position) -> None:
+        self.path = path
+        self.position = self.before_last = position
+        self._fd = fd
+        self._lock = lock
+        self._failure: StorageError | None = None
+
+    @classmethod
+    def create(cls, folder: Path) -> EventLog:
+        """An empty log in ``folder``, which exists and holds none."""
+        lock = WriterLock(folder)
+        try:
+            path = folder / LOG_NAME
+            fd = open_private(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND)
+            with _storage(path):
+                sync_folder(folder)
+        except BaseException:
+            lock.release()
+            raise
+        return cls(path, fd, lock, Position())
+
+    @classmethod
+    def open(cls, path: Path, visit: Callable[[Event], None]) -> tuple[EventLog, tuple[str, ...]]:
+        """An existing log, after ``visit`` has seen its events; a torn last line is cut off.
+
+        The texts say what was repaired. Raises :class:`SessionInUseError` before anything
+        is read, and what :class:`LogReader` and ``visit`` raise.
+        """
+        reader = LogReader(path)
+        if not reader.path.is_file():
+            raise NotASessionError(f"{path}: holds no {LOG_NAME}")
+        lock = WriterLock(reader.path.parent)
+        try:
+            for event in reader:
+                visit(event)
+            fd = open_private(reader.path, os.O_WRONLY | os.O_APPEND)
+            log = cls(reader.path, fd, lock, reader.position)
+            log.before_last = reader.before_last
+            log._repair(reader)
+        except BaseException:
+            lock.release()
+            raise
+        return log, reader.warnings
+
+    def append(self, drafts: Sequence[Draft]) -> tuple[Event, ...]:
+        """Write the events in one go and wait until the disk has them.
+
+        Raises :class:`StorageError`, and then none of them is in the log.
+        """
+        if self._failure is not None:
+            raise self._failure
+        position, events, block = self.position, [], b""
+        for draft in drafts:
+            event = Event(position.seq, draft.type, draft.at, draft.data)
+            line = lines.encode(event, position.prev)
+            position = Position(
+                position.seq + 1, sha256(line).hexdigest(), position.size + len(line)
+            )
+            events.append(event)
+            block += line
+        self._write(block)
+        self.position = position
+        return tuple(events)
+
+    def take_back(self, position: Position) -> None:
+        """Cut the log back to an earlier end: what followed was never acknowledged."""
+        try:
+            with _storage(self.path):
+                os.ftruncate(self._fd, position.size)
+                os.fsync(self._fd)
+        except StorageError as error:
+            # What is on the disk is not known any more: only reading it again tells.
+            self._failure = error
+            raise
+        self.position = position
+
+    def close(self) -> None:
+        """Let go of the file and of the lock. Closing twice is harmless."""
+        if self._fd >= 0:
+            os.close(self._fd)
+            self._fd = -1
+        self._lock.release()
+
+    def _write(self, block: bytes) -> None:
+        try:
+            with _storage(self.path):
+                write_all(self._fd, block)
+                os.fsync(self._fd)
+        except StorageError:
+            with suppress(StorageError):
+                self.take_back(self.position)
+            raise
+
+    def _repair(self, reader: LogReader) -> None:
+        if reader.torn:
+            self.take_back(reader.position)
+        elif reader.unfinished:
+            with _storage(self.path):
+                write_all(self._fd, b"\n")
+                os.fsync(self._fd)
+
+
+@contextmanager
+def _storage(path: Path) -> Iterator[None]:
+    try:
+        yield
+    except OSError as error:
+        raise StorageError(path, error) from error
