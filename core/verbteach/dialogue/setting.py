@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TypeAlias
 
 from verbteach.language.lexicon import Lexicon
+from verbteach.verbs.setting import Setting as Surroundings
 from verbteach.world.plan import Planner
 from verbteach.world.scene import Scene
 from verbteach.world.task import Task
@@ -14,6 +16,10 @@ from verbteach.world.task import Task
 
 class UnknownSceneError(LookupError):
     """No scene has this name; the message lists those that there are."""
+
+
+class UnknownObjectError(LookupError):
+    """No object of the scene has this id; the message says which are near it."""
 
 
 @dataclass(frozen=True)
@@ -24,6 +30,11 @@ class Setting:
     task: Task
     planner: Planner
     lexicon: Lexicon
+
+    @cached_property
+    def surroundings(self) -> Surroundings:
+        """What the verb learner knows of the scene."""
+        return Surroundings.of(self.scene)
 
 
 # Raises UnknownSceneError. Handed to the robot, which opens no file itself.

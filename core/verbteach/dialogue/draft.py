@@ -1,0 +1,97 @@
+"""A robot turn while it is being made: the state so far, what has been said, what was learned."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from verbteach.dialogue.acts import RobotAct
+from verbteach.dialogue.decision import Candidate, Decision
+from verbteach.dialogue.moves import Phase
+from verbteach.dialogue.parameters import RobotParameters
+from verbteach.dialogue.policy import Policy
+from verbteach.dialogue.setting import Setting
+from verbteach.dialogue.state import EpisodeState, RobotState, Totals
+from verbteach.dialogue.turn import Trace
+from verbteach.verbs.space import HypothesisSpace
+
+
+@dataclass(frozen=True)
+class Mind:
+    """What stays the same while a turn is made: parameters, policy and where the robot is."""
+
+    parameters: RobotParameters
+    policy: Policy
+    setting: Setting
+
+
+@dataclass
+class Draft:
+    """Mutable only while one call of ``Robot.receive`` lasts."""
+
+    mind: Mind
+    state: RobotState
+    phase: Phase = Phase.COMMAND
+    acts: list[RobotAct] = field(default_factory=list)
+    decisions: list[Decision] = field(default_factory=list)
+    learned: list[HypothesisSpace] = field(default_factory=list)
+    experience: list[tuple[str, str]] = field(default_factory=list)
+    reading: str = ""
+    reward: float = 0.0
+    trace: Trace | None = None
+
+    @property
+    def episode(self) -> EpisodeState:
+        """The episode under way; there is one outside the command phase."""
+        if self.state.episode is None:
+            raise RuntimeError("no episode is under way")
+        return self.state.episode
+
+    def update(self, **changes: Any) -> None:
+        """Replace fields of the episode."""
+        self.state = replace(self.state, episode=replace(self.episode, **changes))
+
+    def remember(self, **changes: Any) -> None:
+        """Replace fields of the robot's state."""
+        self.state = replace(self.state, **changes)
+
+    def count(self, **more: float) -> None:
+        """Add to the session's totals."""
+        totals = vars(self.state.totals)
+        self.remember(totals=Totals(**{k: v + more.get(k, 0) for k, v in totals.items()}))
+
+    def say(self, act: RobotAct) -> None:
+        """Say something and go on."""
+        self.acts.append(act)
+
+    def wait(self, act: RobotAct, phase: Phase) -> None:
+        """Say something and wait for the teacher."""
+        self.acts.append(act)
+        self.phase = phase
+        if self.state.episode is not None:
+            self.update(phase=phase)
+
+    def earn(self, reward: float) -> None:
+        """Add a reward to the turn, the episode and the session."""
+        self.reward += reward
+        if self.state.episode is not None:
+            self.update(reward=self.episode.reward + reward)
+        self.count(reward=reward)
+
+    def choose(self, candidates: Sequence[Candidate]) -> RobotAct:
+        """Let the policy choose, and keep the decision for the record."""
+        decision = self.mind.policy.choose(self.episode, candidates, self._rng())
+        self.decisions.append(decision)
+        return decision.act
+
+    def _rng(self) -> np.random.Generator:
+        """Draws depend on the seed, the episode and how far it has come, on nothing else."""
+        episode = self.episode
+        shown = episode.demonstrated
+        progress = (len(episode.asked), len(episode.rejected), len(shown.actions) if shown else 0)
+        return np.random.default_rng(
+            [self.mind.parameters.seed, episode.number, len(self.decisions), *progress]
+        )

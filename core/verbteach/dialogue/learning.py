@@ -1,0 +1,189 @@
+"""The learning phase: from a demonstration to the goal that is kept.
+
+The goal read back is the smallest part of what changed that asks for the same
+actions (the most general hypothesis of the demonstration's space); the teacher
+says right or wrong, strikes parts of it or keeps parts that were left out.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from verbteach.dialogue import closing, demonstration
+from verbteach.dialogue.acts import (
+    DemonstrationReason,
+    IncludeFluent,
+    Learned,
+    NpGrdWhq,
+    NpGrdYnq,
+    Outcome,
+    ReviseGoal,
+)
+from verbteach.dialogue.decision import Candidate
+from verbteach.dialogue.draft import Draft
+from verbteach.dialogue.execution import described
+from verbteach.dialogue.moves import IllegalMoveError, Phase
+from verbteach.dialogue.proposals import grounding_questions
+from verbteach.dialogue.questions import ask
+from verbteach.dialogue.seeing import perceived
+from verbteach.dialogue.state import ReadBack
+from verbteach.verbs.change import ObjectSet
+from verbteach.verbs.hypothesis import Learner, NoHypothesis, Shown
+from verbteach.verbs.learning import derive, ground_goals, insisted, lifted_space, struck
+from verbteach.verbs.space import HypothesisSpace
+from verbteach.world.fluents import Goal, Literal
+
+# Where too much changed, or no plan reaches all of it, speak of fewer things.
+_NARROWER = (
+    ObjectSet.ALL,
+    ObjectSet.MANIPULATED,
+    ObjectSet.ARGUMENT_RELATED,
+    ObjectSet.ARGUMENT_ONLY,
+)
+
+
+def sum_up(draft: Draft) -> None:
+    """The demonstration is over: ask what is unclear, else read the goal back."""
+    shown = draft.episode.demonstrated
+    if shown is None or not shown.actions:
+        demonstration.ask_for_more(draft, DemonstrationReason.NO_STEP)
+    elif not demonstration.change(draft):
+        demonstration.ask_for_more(draft, DemonstrationReason.NOTHING_CHANGED)
+    else:
+        deliberate(draft)
+
+
+def deliberate(draft: Draft) -> None:
+    """One step of the learning phase: the policy chooses among questions and the goal."""
+    read_back = _first_reading(draft)
+    include = Candidate(IncludeFluent(read_back.goal), {"size": float(len(read_back.goal))})
+    act = draft.choose([*grounding_questions(draft), include])
+    if isinstance(act, NpGrdWhq | NpGrdYnq):
+        ask(draft, act, Phase.LEARNING)
+    else:
+        draft.update(read_back=read_back)
+        draft.wait(IncludeFluent(read_back.goal), Phase.READ_BACK)
+
+
+def strike(draft: Draft, literal: Literal) -> None:
+    """The literal is no part of the goal."""
+    read_back = _read_back(draft)
+    if literal not in read_back.goal:
+        raise IllegalMoveError(f"{literal} is not in the goal that was read back")
+    _edit(draft, read_back.goal - {literal})
+
+
+def keep(draft: Draft, literal: Literal) -> None:
+    """The literal is part of the goal. It must hold after the demonstration."""
+    read_back = _read_back(draft)
+    if not draft.mind.setting.task.is_fluent(literal.fluent):
+        raise IllegalMoveError(f"{literal} names nothing in this scene")
+    if not literal.holds(draft.state.world):
+        raise IllegalMoveError(f"{literal} does not hold now, so it was not shown")
+    opposite = Literal(literal.fluent, not literal.positive)
+    _edit(draft, (read_back.goal - {opposite}) | {literal})
+
+
+def reject(draft: Draft) -> None:
+    """The goal read back is wrong: it costs once, and the teacher may correct it."""
+    read_back = _read_back(draft)
+    if not read_back.rejected:
+        draft.earn(draft.mind.parameters.rewards.of(IncludeFluent.name, positive=False))
+    draft.update(read_back=replace(read_back, rejected=True))
+    draft.wait(ReviseGoal(read_back.goal), Phase.READ_BACK)
+
+
+def accept(draft: Draft) -> None:
+    """The goal is right: the verb is kept."""
+    read_back = _read_back(draft)
+    if not read_back.goal:
+        raise IllegalMoveError("nothing is left of the goal; keep something, show again or skip")
+    if not read_back.rejected:
+        draft.earn(draft.mind.parameters.rewards.of(IncludeFluent.name, positive=True))
+    before = draft.state.knowledge
+    confirmed = lifted_space(
+        described(draft, "confirmed"),
+        (read_back.goal,),
+        draft.mind.setting.surroundings,
+        confirmed=True,
+    )
+    spaces = [space for space in (_corrected(draft, read_back), confirmed) if space is not None]
+    for space in spaces:
+        draft.remember(knowledge=draft.state.knowledge.with_space(space))
+    draft.learned.extend(spaces)
+    draft.experience.extend(zip(draft.episode.phrases, draft.episode.best_objects, strict=True))
+    key = confirmed.demonstration.frame
+    old = len(before.frames[key].nodes) if key in before.frames else 0
+    new = len(draft.state.knowledge.frames[key].nodes) - old
+    name = " ".join(str(literal) for literal in confirmed.nodes[0].literals)
+    draft.say(Learned(key.verb, key.arity, name, new))
+    closing.close(draft, Outcome.LEARNED)
+
+
+def abandon(draft: Draft) -> None:
+    """The teacher passes over it: nothing is kept, the world stays as it is."""
+    closing.close(draft, Outcome.ABANDONED)
+
+
+def _first_reading(draft: Draft) -> ReadBack:
+    whole = demonstration.change(draft)
+    space = _space(draft)
+    if space is None:
+        return ReadBack(whole, whole, None)
+    goals = ground_goals(space)
+    fewest = min(len(goal) for goal in goals)
+    smallest = [goal for goal in goals if len(goal) == fewest]
+    goal = max(smallest, key=lambda g: (_about_arguments(draft, g), sorted(g)))
+    return ReadBack(whole, goal, space)
+
+
+def _about_arguments(draft: Draft, goal: Goal) -> int:
+    objects = set(draft.episode.best_objects)
+    return sum(bool(objects & set(literal.fluent.args)) for literal in goal)
+
+
+def _space(draft: Draft) -> HypothesisSpace | None:
+    """The demonstration's own space, over the widest object set that gives one."""
+    shown = _shown(draft)
+    for objects in _NARROWER:
+        parameters = replace(draft.mind.parameters.learning, object_set=objects)
+        learner = Learner(draft.mind.setting.planner, draft.mind.setting.surroundings, parameters)
+        space = derive(described(draft, "shown"), shown, learner)
+        if not isinstance(space, NoHypothesis):
+            return space
+    return None
+
+
+def _shown(draft: Draft) -> Shown:
+    """The demonstration as the robot saw it, through its noise."""
+    demonstrated = draft.episode.demonstrated
+    if demonstrated is None:
+        raise RuntimeError("nothing was demonstrated")
+    after = perceived(draft, demonstrated.states[-1], "after")
+    return Shown(draft.episode.belief.believed(), demonstrated.actions, after.believed())
+
+
+def _edit(draft: Draft, goal: Goal) -> None:
+    draft.update(read_back=replace(_read_back(draft), goal=goal, edited=True))
+    draft.wait(IncludeFluent(goal), Phase.READ_BACK)
+
+
+def _corrected(draft: Draft, read_back: ReadBack) -> HypothesisSpace | None:
+    """The demonstration's space without what the teacher's corrections exclude."""
+    space: HypothesisSpace | None = read_back.space
+    if not read_back.edited:
+        return space
+    surroundings = draft.mind.setting.surroundings
+    first = _first_reading(draft).goal
+    for literal in sorted(first - read_back.goal):
+        space = struck(space, literal, surroundings) if space else None
+    for literal in sorted(read_back.goal - first):
+        if space and literal in space.base:
+            space = insisted(space, literal, surroundings)
+    return space
+
+
+def _read_back(draft: Draft) -> ReadBack:
+    if draft.episode.read_back is None:
+        raise RuntimeError("no goal was read back")
+    return draft.episode.read_back

@@ -1,0 +1,113 @@
+"""A simulated teacher: it gives bundled lessons' commands and answers from their gold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import islice
+
+import numpy as np
+
+from verbteach.dialogue import acts
+from verbteach.dialogue.acts import TeacherAct
+from verbteach.dialogue.judging import Judge
+from verbteach.dialogue.lesson import Lesson
+from verbteach.dialogue.moves import Phase
+from verbteach.dialogue.setting import Settings
+from verbteach.dialogue.state import RobotState
+from verbteach.dialogue.turn import RobotTurn
+
+
+def seeded_order(lessons: Sequence[Lesson], count: int, seed: int) -> tuple[Lesson, ...]:
+    """``count`` lessons in a seeded order; more than there are repeat in a newly seeded order."""
+    return tuple(islice(_rounds(lessons, seed), count))
+
+
+def _rounds(lessons: Sequence[Lesson], seed: int) -> Iterator[Lesson]:
+    number = 0
+    while lessons:
+        order = np.random.default_rng([seed, number]).permutation(len(lessons))
+        yield from (lessons[int(index)] for index in order)
+        number += 1
+
+
+class SimulatedTeacher:
+    """Teaches ``lessons`` one after the other and never errs; implements ``Teacher``."""
+
+    def __init__(self, lessons: Sequence[Lesson], settings: Settings) -> None:
+        self._lessons = tuple(lessons)
+        self._settings = settings
+        self._given = 0
+
+    def reply(self, turn: RobotTurn, state: RobotState) -> TeacherAct | None:
+        """Answer from the current lesson, or give the next one's command."""
+        match turn.phase:
+            case Phase.COMMAND:
+                return self._command(state)
+            case Phase.EXECUTION | Phase.LEARNING:
+                return self._answer(turn.waiting_act)
+            case Phase.JUDGEMENT:
+                return self._judgement(state)
+            case Phase.DEMONSTRATION:
+                return self._step(turn, state)
+            case Phase.READ_BACK:
+                return self._correction(state)
+
+    @property
+    def _lesson(self) -> Lesson:
+        return self._lessons[self._given - 1]
+
+    def _command(self, state: RobotState) -> TeacherAct | None:
+        if self._given >= len(self._lessons):
+            return None
+        lesson = self._lessons[self._given]
+        found = self._settings(lesson.scene).scene.initial
+        if state.scene != lesson.scene or state.world != found:
+            return acts.GoToScene(lesson.scene)
+        self._given += 1
+        return acts.Command(lesson.command)
+
+    def _answer(self, question: acts.RobotAct) -> TeacherAct:
+        if isinstance(question, acts.NpGrdWhq):
+            gold = self._gold(question.np)
+            return acts.Point(gold[0]) if gold else acts.Unsure()
+        if isinstance(question, acts.NpGrdYnq):
+            return acts.Yes() if question.object in self._gold(question.np) else acts.No()
+        return acts.Unsure()
+
+    def _gold(self, phrase: str) -> tuple[str, ...]:
+        return self._lesson.grounding.get(phrase, ())
+
+    def _judge(self) -> Judge:
+        return Judge(self._lesson, self._settings(self._lesson.scene))
+
+    def _judgement(self, state: RobotState) -> TeacherAct:
+        episode = state.episode
+        start = episode.start if episode else state.world
+        return acts.Good() if self._judge().execution(start, state.world) else acts.Bad()
+
+    def _step(self, turn: RobotTurn, state: RobotState) -> TeacherAct:
+        waiting = turn.waiting_act
+        nothing = acts.DemonstrationReason.NOTHING_CHANGED
+        stuck = isinstance(waiting, acts.RequestDemonstration) and waiting.reason is nothing
+        if stuck or isinstance(waiting, acts.RefuseStep):
+            return acts.Skip()
+        shown = state.episode.demonstrated if state.episode else None
+        done = len(shown.actions) if shown else 0
+        steps = self._lesson.demonstration
+        return acts.Do(steps[done]) if done < len(steps) else acts.Done()
+
+    def _correction(self, state: RobotState) -> TeacherAct:
+        """Say right or wrong; after a wrong, correct the goal literal by literal."""
+        episode = state.episode
+        if episode is None or episode.read_back is None:
+            return acts.Skip()
+        read_back, meant = episode.read_back, self._lesson.goal
+        if self._judge().goal(episode.start, read_back.goal):
+            return acts.Good()
+        if not read_back.rejected:
+            return acts.Bad()
+        for literal in sorted(meant - read_back.goal):
+            return acts.Keep(literal)
+        for literal in sorted(read_back.goal - meant):
+            return acts.Strike(literal)
+        return acts.Skip()

@@ -1,0 +1,244 @@
+"""The robot's sentences: one for each act, in plain English.
+
+It knows acts and what they are about; how fluents, actions and things read is
+the language room's business.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from verbteach.dialogue import acts
+from verbteach.dialogue.acts import DemonstrationReason, Outcome, RobotAct
+from verbteach.dialogue.demonstration import ordered
+from verbteach.dialogue.draft import Draft
+from verbteach.dialogue.speech import Speech
+from verbteach.dialogue.state import EpisodeState
+from verbteach.world.fluents import Goal, Literal
+
+
+@dataclass(frozen=True)
+class _About:
+    """What a sentence can speak of: the words of the scene and the episode, if one is on."""
+
+    speech: Speech
+    draft: Draft
+    episode: EpisodeState | None
+
+    @property
+    def doing(self) -> str:
+        """The command as a gerund, "boiling the water"."""
+        return self.speech.gerund(self.episode.frame) if self.episode else "that"
+
+    @property
+    def todo(self) -> str:
+        """The command as it would follow "to": "boil the water"."""
+        return self.speech.clause(self.episode.frame) if self.episode else "do that"
+
+
+def word_turn(draft: Draft) -> tuple[str, ...]:
+    """A sentence or two for each of the draft's acts.
+
+    Things are named as they can be told apart in the world as the turn leaves it.
+    """
+    speech = Speech.of(draft.mind.setting, draft.state.world)
+    about = _About(speech, draft, draft.state.episode)
+    return tuple(_sentence(act, about) for act in draft.acts)
+
+
+def _sentence(act: RobotAct, about: _About) -> str:
+    return _WORDING[type(act)](act, about)
+
+
+def _await_command(act: acts.AwaitCommand, about: _About) -> str:
+    if len(about.draft.acts) > 1:
+        return "What should I do next?"
+    return f"I am in {about.speech.place}. What should I do?"
+
+
+def _start_clause(act: acts.StartClause, about: _About) -> str:
+    return f"One thing at a time. Now: {act.clause}."
+
+
+def _np_grd_whq(act: acts.NpGrdWhq, about: _About) -> str:
+    found = about.episode.grounding[act.np] if about.episode else ()
+    if not found:
+        return f"I see nothing that I would call {_quoted(act.np)}. Which is it, can you show me?"
+    if len(found) == 1:
+        return f"Which is {_the(act.np)}, can you show me?"
+    things = [about.speech.thing(thing) for thing, _ in found[:6]]
+    more = " and others" if len(found) > 6 else ""
+    return (
+        f"Which is {_the(act.np)}, can you show me?"
+        f" It could be {about.speech.listing(things, 'or')}{more}."
+    )
+
+
+def _np_grd_ynq(act: acts.NpGrdYnq, about: _About) -> str:
+    return f"I see {about.speech.thing(act.object)}, is that {_the(act.np)}?"
+
+
+def _bulk(act: acts.BulkNpGrdYnq, about: _About) -> str:
+    parts = [f"{_the(np)} is {about.speech.thing(thing)}" for np, thing in act.pairs]
+    return f"I think {about.speech.listing(parts)}, am I right?"
+
+
+def _env_pred_ynq(act: acts.EnvPredYnq, about: _About) -> str:
+    return about.speech.question(Literal(act.fluent))
+
+
+def _goal_pred_ynq(act: acts.GoalPredYnq, about: _About) -> str:
+    return f"Is it true that {about.speech.should(act.literal)} at the end?"
+
+
+def _pred_change_ynq(act: acts.PredChangeYnq, about: _About) -> str:
+    return f"{_capital(about.speech.holds(act.literal))} after what you did, is that correct?"
+
+
+def _goal_relevant_ynq(act: acts.GoalRelevantYnq, about: _About) -> str:
+    return f"So after {about.doing}, is it part of it that {about.speech.should(act.literal)}?"
+
+
+def _select_hypo(act: acts.SelectHypo, about: _About) -> str:
+    goal = about.speech.listing([about.speech.holds(one) for one in ordered(act.goal)])
+    done = about.draft.trace.done if about.draft.trace else act.plan
+    steps = about.speech.listing([about.speech.action(step) for step in done])
+    did = f" I {steps}." if steps else ""
+    return f"I take {about.doing} to mean that {goal}.{did} Was that right?"
+
+
+def _report_execution(act: acts.ReportExecution, about: _About) -> str:
+    if act.failed is None:
+        return "Done."
+    return f"I could not {about.speech.action(act.failed)}: {act.obstacle}. I stopped there."
+
+
+def _request_demonstration(act: acts.RequestDemonstration, about: _About) -> str:
+    restored = "I have put everything back as it was before. " if act.restored else ""
+    return _REQUESTS[act.reason].format(todo=about.todo, doing=about.doing, restored=restored)
+
+
+def _observe_step(act: acts.ObserveStep, about: _About) -> str:
+    step = f"I see: {about.speech.action(act.action)}."
+    if not act.change:
+        return f"{step} So far nothing is different from before."
+    changes = "; ".join(about.speech.became(literal) for literal in act.change)
+    return f"{step} So far: {changes}."
+
+
+def _refuse_step(act: acts.RefuseStep, about: _About) -> str:
+    return f"That cannot be done now: {act.reason}."
+
+
+def _include_fluent(act: acts.IncludeFluent, about: _About) -> str:
+    if not act.goal:
+        return f"Then {about.doing} asks for nothing at all. Keep something, show me again or skip."
+    must = about.speech.listing([about.speech.must(one) for one in ordered(act.goal)])
+    need_not = _need_not(about, act.goal)
+    return f"So after {about.doing}, {must}.{need_not} Right?"
+
+
+def _need_not(about: _About, goal: Goal) -> str:
+    """What changed as well and is not kept, told once so that a teacher can object."""
+    read_back = about.episode.read_back if about.episode else None
+    rest = ordered(read_back.whole - goal) if read_back else ()
+    if not rest:
+        return ""
+    parts = about.speech.listing([about.speech.became(one) for one in rest])
+    return f" I take it as the way there, not as the goal, that {parts}."
+
+
+def _revise_goal(act: acts.ReviseGoal, about: _About) -> str:
+    return (
+        "What is wrong with it? Strike what does not matter, keep what I left out,"
+        " show me again, or skip."
+    )
+
+
+def _learned(act: acts.Learned, about: _About) -> str:
+    return f"I have learned {_quoted(act.verb)}."
+
+
+def _close_episode(act: acts.CloseEpisode, about: _About) -> str:
+    return _OUTCOMES[act.outcome]
+
+
+def _ask_rephrase(act: acts.AskRephrase, about: _About) -> str:
+    return act.reason
+
+
+def _ask_again(act: acts.AskAgain, about: _About) -> str:
+    return act.reason
+
+
+def _quoted(words: str) -> str:
+    return f'"{words}"'
+
+
+def _the(phrase: str) -> str:
+    """The phrase as the teacher said it, with an article where it had none."""
+    first = phrase.split(" ", 1)[0].lower()
+    return phrase if first in _DETERMINERS else f"the {phrase}"
+
+
+def _capital(sentence: str) -> str:
+    return sentence[:1].upper() + sentence[1:]
+
+
+_DETERMINERS = frozenset({
+    *("the", "a", "an", "my", "your", "his", "her", "its", "our", "their"),
+    *("this", "that", "these", "those", "some", "any", "it", "them"),
+})  # fmt: skip
+
+_REQUESTS: Mapping[DemonstrationReason, str] = {
+    DemonstrationReason.UNKNOWN_VERB: ("I don't know how to {todo}, could you show me an example?"),
+    DemonstrationReason.NO_HYPOTHESIS: (
+        "I do not know yet what {doing} asks for here, could you show me?"
+    ),
+    DemonstrationReason.NO_PLAN: (
+        "I know what {doing} should lead to, but I find no way to it from here. Could you show me?"
+    ),
+    DemonstrationReason.NOTHING_TO_DO: (
+        "All that I know {doing} to ask for holds already."
+        " If you mean something else, please show me; if not, skip."
+    ),
+    DemonstrationReason.WRONG_EXECUTION: "I see. {restored}Could you show me how to {todo}?",
+    DemonstrationReason.TAKEN_OVER: "{restored}Please show me how to {todo}.",
+    DemonstrationReason.SHOW_AGAIN: "{restored}Please show me again how to {todo}.",
+    DemonstrationReason.NO_STEP: "I have seen no step yet. Show me at least one, or skip.",
+    DemonstrationReason.NOTHING_CHANGED: (
+        "As far as I can see, nothing is different from before. Go on showing me, or skip."
+    ),
+}
+
+_OUTCOMES: Mapping[Outcome, str] = {
+    Outcome.EXECUTED: "Good, I will do it like that again.",
+    Outcome.LEARNED: "Thank you.",
+    Outcome.UNJUDGED: "I leave it as it is.",
+    Outcome.ABANDONED: "All right, I have learned nothing from this.",
+}
+
+_WORDING: Mapping[type[RobotAct], Callable[[Any, _About], str]] = {
+    acts.AwaitCommand: _await_command,
+    acts.StartClause: _start_clause,
+    acts.NpGrdWhq: _np_grd_whq,
+    acts.NpGrdYnq: _np_grd_ynq,
+    acts.BulkNpGrdYnq: _bulk,
+    acts.EnvPredYnq: _env_pred_ynq,
+    acts.GoalPredYnq: _goal_pred_ynq,
+    acts.PredChangeYnq: _pred_change_ynq,
+    acts.GoalRelevantYnq: _goal_relevant_ynq,
+    acts.SelectHypo: _select_hypo,
+    acts.ReportExecution: _report_execution,
+    acts.RequestDemonstration: _request_demonstration,
+    acts.ObserveStep: _observe_step,
+    acts.RefuseStep: _refuse_step,
+    acts.IncludeFluent: _include_fluent,
+    acts.ReviseGoal: _revise_goal,
+    acts.Learned: _learned,
+    acts.CloseEpisode: _close_episode,
+    acts.AskRephrase: _ask_rephrase,
+    acts.AskAgain: _ask_again,
+}
