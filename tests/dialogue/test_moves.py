@@ -20,7 +20,6 @@ from verbteach.dialogue.rewards import Rewards
 # Said on the way to the act that waits, so that no phase waits on them.
 PASSING = {
     acts.StartClause,
-    acts.AskAgain,
     acts.ReportExecution,
     acts.Learned,
     acts.CloseEpisode,

@@ -31,7 +31,12 @@ ROBOT_MOVES: Mapping[Phase, tuple[type[RobotAct], ...]] = {
     Phase.COMMAND: (acts.AwaitCommand, acts.AskRephrase),
     Phase.EXECUTION: (acts.NpGrdWhq, acts.NpGrdYnq, acts.EnvPredYnq, acts.GoalPredYnq),
     Phase.JUDGEMENT: (acts.SelectHypo,),
-    Phase.DEMONSTRATION: (acts.RequestDemonstration, acts.ObserveStep, acts.RefuseStep),
+    Phase.DEMONSTRATION: (
+        acts.RequestDemonstration,
+        acts.ObserveStep,
+        acts.RefuseStep,
+        acts.AskAgain,
+    ),
     Phase.LEARNING: (
         acts.NpGrdWhq,
         acts.NpGrdYnq,

@@ -1,0 +1,27 @@
+"""Scenes made ready for the robot: loaded, grounded and given a planner, each once."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from pathlib import Path
+
+from verbteach.dialogue.setting import Setting, Settings
+from verbteach.world.planner import SearchPlanner
+from verbteach.world.task import Task
+from verbteach_scenarios.lexicon_file import load_lexicon
+from verbteach_scenarios.scenes import load_scene
+
+
+def make_settings(folder: Path | None = None) -> Settings:
+    """Settings for the scenes in ``folder``, or for the bundled ones; each is prepared once.
+
+    The function it answers raises ``UnknownSceneError`` and ``WorldFileError``.
+    """
+
+    @lru_cache(maxsize=None)
+    def setting(scene_id: str) -> Setting:
+        scene = load_scene(scene_id, folder)
+        task = Task.from_scene(scene)
+        return Setting(scene, task, SearchPlanner(task), load_lexicon(folder))
+
+    return setting

@@ -1,0 +1,84 @@
+"""The simulated teacher teaches lessons from their gold, and its judgements are fair."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from tests.dialogue.stage import BOIL, robot
+from verbteach.dialogue import acts
+from verbteach.dialogue.judging import Judge
+from verbteach.dialogue.lesson import Lesson
+from verbteach.dialogue.moves import Phase
+from verbteach.dialogue.robot import Robot
+from verbteach.dialogue.simulated import SimulatedTeacher, seeded_order
+from verbteach.verbs.space import FrameKey
+from verbteach.world.fluents import Fluent, Literal
+from verbteach.world.plan import Action
+from verbteach.world.simulator import run
+
+GOAL = frozenset({Literal(Fluent("hot", ("Water",)))})
+
+
+@cache
+def boil(scene: str = "kitchen-1", number: int = 0) -> Lesson:
+    steps = tuple(Action.parse(step) for step in BOIL)
+    return Lesson(
+        f"boil-{number}", scene, "boil the water", "boil", {"the water": ("Water",)}, steps, GOAL
+    )
+
+
+def held(pupil: Robot, lessons: tuple[Lesson, ...], limit: int = 100) -> None:
+    teacher = SimulatedTeacher(lessons, pupil.settings)
+    for _ in range(limit):
+        act = teacher.reply(pupil.turn, pupil.state)
+        if act is None:
+            return
+        pupil.receive(act)
+    pytest.fail(f"the dialogue did not end within {limit} turns")
+
+
+def test_a_lesson_given_twice_is_learned_and_then_carried_out() -> None:
+    pupil = robot()
+    held(pupil, (boil(), boil(number=1)))
+    assert pupil.state.totals.episodes == 2
+    assert pupil.state.totals.learned == 1
+    assert pupil.state.totals.successes == 1
+
+
+def test_lessons_repeat_in_a_newly_seeded_order() -> None:
+    lessons = tuple(boil(number=number) for number in range(5))
+    order = seeded_order(lessons, 12, seed=7)
+    assert len(order) == 12
+    assert sorted(one.id for one in order[:5]) == sorted(one.id for one in order[5:10])
+    assert order == seeded_order(lessons, 12, seed=7)
+    assert order != seeded_order(lessons, 12, seed=8)
+
+
+def test_leaving_out_a_needless_step_is_right_and_a_needless_change_is_wrong() -> None:
+    pupil = robot()
+    judge = Judge(boil(), pupil.setting)
+    start, task = pupil.state.world, pupil.setting.task
+    as_shown = run(task, start, boil().demonstration)[-1]
+    assert judge.execution(start, as_shown)
+    more = run(task, as_shown, [Action("moveto", ("Tap_1",)), Action("turn-on", ("Tap_1",))])
+    assert len(more) == 3
+    assert not judge.execution(start, more[-1])
+    assert not judge.execution(start, start)
+
+
+def test_a_wrong_goal_is_corrected_literal_by_literal() -> None:
+    pupil = robot()
+    teacher = SimulatedTeacher((boil(),), pupil.settings)
+    said: list[str] = []
+    while (act := teacher.reply(pupil.turn, pupil.state)) is not None:
+        if isinstance(act, acts.Good) and not said:
+            act = acts.Strike(next(iter(GOAL)))  # the robot is made to forget the point of it
+        if pupil.turn.phase is Phase.READ_BACK:
+            said.append(act.name)
+        pupil.receive(act)
+    assert said == ["strike", "bad", "keep", "good"]
+    frame = pupil.state.knowledge.frames[FrameKey("boil", 1)]
+    hot = Literal(Fluent("hot", ("?0",)))
+    assert all(hot in node.literals for node in frame.nodes.values() if node.confirmed)
