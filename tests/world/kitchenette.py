@@ -54,12 +54,14 @@ def start(things: Mapping[str, str], rng: np.random.Generator) -> State:
 
 
 def walk(task: Task, state: State, steps: int, rng: np.random.Generator) -> State:
-    """The state after ``steps`` random actions."""
+    """The state after ``steps`` random actions, every kind of action as likely as another."""
     bits = task.encode(state)
     for _ in range(steps):
         choices = [a for a in task.actions if a.applicable(bits)]
-        if choices:
-            bits = choices[rng.integers(len(choices))].result(bits)
+        names = sorted({a.action.name for a in choices})
+        name = names[rng.integers(len(names))]
+        fitting = [a for a in choices if a.action.name == name]
+        bits = fitting[rng.integers(len(fitting))].result(bits)
     return task.decode(bits)
 
 

@@ -13,13 +13,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from heapq import heappop, heappush
 from typing import NamedTuple, TypeAlias
 
+import numpy as np
+import numpy.typing as npt
+
 from verbteach.world.fluents import Literal
 from verbteach.world.task import Task
 
 Proposition: TypeAlias = int
 Operator: TypeAlias = int
-
-_FLIP = str.maketrans("01", "10")
 
 
 class Estimate(NamedTuple):
@@ -65,7 +66,7 @@ class RelaxedTask:
             for proposition in made:
                 self.achievers[proposition].append(operator)
         self._number = {fluent: i for i, fluent in enumerate(task.fluents)}
-        self._pattern = f"0{self.size}b"
+        self._need_rows = self._padded_needs()
 
     def propositions(self, literals: Iterable[Literal]) -> tuple[Proposition, ...]:
         """Number literals over the task's fluents, ascending."""
@@ -74,12 +75,12 @@ class RelaxedTask:
 
     def estimate(self, bits: int, goal: Sequence[Proposition]) -> Estimate | None:
         """Return the distance to the goal; none where even the relaxed task never reaches it."""
-        truth = self._truth(bits)
-        wanted = [proposition for proposition in goal if truth[proposition] == "0"]
+        false, unmet = self._lacking(bits)
+        wanted = [proposition for proposition in goal if false[proposition]]
         if not wanted:
             return Estimate(0, ())
-        best = _supporters(wanted, self._relevant(wanted, truth))
-        return None if best is None else self._relaxed_plan(wanted, best, truth)
+        best = _supporters(wanted, self._relevant(wanted, false, unmet))
+        return None if best is None else self._relaxed_plan(wanted, best, false)
 
     def _operator(self, action: int, needs: tuple[int, int], made: tuple[int, int]) -> None:
         if made != (0, 0):
@@ -90,38 +91,87 @@ class RelaxedTask:
     def _numbers(self, true: int, false: int) -> tuple[Proposition, ...]:
         return (*_set_bits(true), *(self.size + i for i in _set_bits(false)))
 
-    def _truth(self, bits: int) -> str:
-        """Spell the state as a text of 0 and 1, one character a proposition."""
-        text = format(bits, self._pattern)[::-1] if self.size else ""
-        return text + text.translate(_FLIP)
+    def _padded_needs(self) -> npt.NDArray[np.intp]:
+        """One column an operator, its needs filled up with a proposition that is always true."""
+        height = max(map(len, self.needs), default=0)
+        rows = np.full((max(height, 1), len(self.needs)), 2 * self.size, dtype=np.intp)
+        for operator, needs in enumerate(self.needs):
+            rows[: len(needs), operator] = needs
+        return rows
 
-    def _relevant(self, wanted: Sequence[Proposition], truth: str) -> _Relevant:
+    def _lacking(self, bits: int) -> tuple[bytes, bytes]:
+        """Return what is false (1) by proposition, and how many needs are unmet by operator."""
+        size = self.size
+        raw = np.frombuffer(bits.to_bytes(size // 8 + 1, "little"), dtype=np.uint8)
+        true = np.unpackbits(raw, count=size, bitorder="little")
+        false = np.zeros(2 * size + 1, dtype=np.uint8)
+        np.subtract(1, true, out=false[:size])
+        false[size : 2 * size] = true
+        unmet = np.add.reduce(false.take(self._need_rows), axis=0, dtype=np.uint8)
+        return false.tobytes(), unmet.tobytes()
+
+    def _relevant(self, wanted: Sequence[Proposition], false: bytes, unmet: bytes) -> _Relevant:
         """Gather backwards what may make the wanted true; what is true already needs nothing."""
-        achievers, needs = self.achievers, self.needs
+        needs = self.needs
         users: dict[Proposition, list[Operator]] = {proposition: [] for proposition in wanted}
         found = _Relevant(users, {}, {}, [])
-        _, unmet, feeds, ready = found
+        _, waiting, feeds, ready = found
+        easy: dict[Proposition, bool] = {}
         stack = list(wanted)
         while stack:
             proposition = stack.pop()
-            for operator in achievers[proposition]:
+            for operator in self._promising(proposition, false, unmet, easy):
                 if operator in feeds:
                     feeds[operator].append(proposition)
                     continue
                 feeds[operator] = [proposition]
-                missing = [need for need in needs[operator] if truth[need] == "0"]
-                unmet[operator] = len(missing)
-                if not missing:
+                waiting[operator] = unmet[operator]
+                if not unmet[operator]:
                     ready.append(operator)
-                for need in missing:
-                    if need not in users:
-                        users[need] = []
-                        stack.append(need)
-                    users[need].append(operator)
+                    continue
+                for need in needs[operator]:
+                    if false[need]:
+                        if need not in users:
+                            users[need] = []
+                            stack.append(need)
+                        users[need].append(operator)
         return found
 
+    def _promising(
+        self, proposition: Proposition, false: bytes, unmet: bytes, easy: dict[Proposition, bool]
+    ) -> Sequence[Operator]:
+        """Return the achievers without those that cannot be the cheapest.
+
+        An operator that can be done now beats all others. One whose lacks can
+        each be made true at once costs one more than their number, and so
+        beats all that lack more.
+        """
+        achievers = self.achievers[proposition]
+        if len(achievers) < 2:
+            return achievers
+        counts = [unmet[operator] for operator in achievers]
+        for number in sorted(set(counts)):
+            fewest = [o for o, count in zip(achievers, counts, strict=True) if count == number]
+            if number == 0:
+                return fewest[:1]
+            if any(self._is_easy_operator(o, false, unmet, easy) for o in fewest):
+                return [o for o, count in zip(achievers, counts, strict=True) if count <= number]
+        return achievers
+
+    def _is_easy_operator(
+        self, operator: Operator, false: bytes, unmet: bytes, easy: dict[Proposition, bool]
+    ) -> bool:
+        """Whether everything the operator lacks can be made true at once."""
+        for need in self.needs[operator]:
+            if false[need]:
+                if need not in easy:
+                    easy[need] = any(not unmet[o] for o in self.achievers[need])
+                if not easy[need]:
+                    return False
+        return True
+
     def _relaxed_plan(
-        self, wanted: Sequence[Proposition], best: Mapping[Proposition, Operator], truth: str
+        self, wanted: Sequence[Proposition], best: Mapping[Proposition, Operator], false: bytes
     ) -> Estimate:
         """Follow the best supporters back from the goal."""
         marked: set[Operator] = set()
@@ -132,7 +182,7 @@ class RelaxedTask:
             if operator in marked:
                 continue
             marked.add(operator)
-            missing = [need for need in self.needs[operator] if truth[need] == "0"]
+            missing = [need for need in self.needs[operator] if false[need]]
             stack += missing
             if not missing:
                 preferred.add(self.actor[operator])
