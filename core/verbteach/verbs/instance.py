@@ -27,6 +27,8 @@ class Instance:
     ``goal`` is what the demonstration was meant to reach where that is known;
     demonstrations hold needless steps, so it need not be the whole change.
     ``task_key`` names the grounded task (objects and static facts) to plan with.
+    ``gold`` is the demonstration without needless moves, which scores compare
+    plans with; left empty, it is ``actions``.
     """
 
     id: str
@@ -41,6 +43,7 @@ class Instance:
     end: State
     goal: Goal | None
     task_key: str
+    gold: tuple[Action, ...] = ()
 
     def __post_init__(self) -> None:
         if not len(self.phrases) == len(self.candidates) == len(self.grounding):
@@ -53,6 +56,8 @@ class Instance:
         ):
             if gold not in objects:
                 raise ValueError(f"{self.id}: {gold!r} is not a candidate of {phrase!r}: {objects}")
+        if not self.gold:
+            object.__setattr__(self, "gold", self.actions)
 
     @property
     def frame(self) -> tuple[str, int]:

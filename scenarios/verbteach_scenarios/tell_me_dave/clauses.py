@@ -51,7 +51,7 @@ def _clause(lines: Lines, length: int, objects: Mapping[str, object]) -> Clause:
     end = lines.integer("end env:")
     _check_span(lines, start, end, length)
     sentence = lines.take_until("sent:", "clause dscr:")
-    frame = lines.take_until("clause dscr:", "words:")
+    frame = lines.take("clause dscr:")
     words = lines.take("words:").split()
     verb = lines.take("verb:")
     if not verb:

@@ -112,7 +112,7 @@ def _part(part: str, host: str, objects: Marks, part_of: Mapping[str, str]) -> I
 def _knob(knob: str, host: str) -> Iterator[Fluent]:
     number = knob.rpartition("_")[2]
     if number.isdigit():
-        yield Fluent("switches", (knob, host, f"{host}Fire{number}"))
+        yield Fluent("switches", (knob, host, f"{kind(host)}Fire{number}"))
     else:
         yield Fluent("switches", (knob, knob, "TapIsOn"))
         yield Fluent("taps", (knob, host))

@@ -12,6 +12,7 @@ from typing import TypeAlias
 
 from verbteach.verbs.instance import Instance
 from verbteach_scenarios.tell_me_dave.clauses import noun_phrases
+from verbteach_scenarios.tell_me_dave.cleaning import cleaned
 from verbteach_scenarios.tell_me_dave.documents import Clause, Corpus, Document
 from verbteach_scenarios.tell_me_dave.rooms import Rooms, whole
 
@@ -93,5 +94,6 @@ def _instance(document: Document, number: int, clause: Clause, rooms: Rooms) -> 
         end=whole(document.steps[clause.end + 1].state, static),
         goal=None,
         task_key=key,
+        gold=cleaned(document, clause),
     )
     return replace(instance, grounding=tuple(objects[0] for objects in instance.narrowed))

@@ -33,9 +33,9 @@ class Lines:
             raise CorpusError(path, line, "is not UTF-8 text") from problem
         return cls(path, text.replace("\r\n", "\n").split("\n"), [])
 
-    def fail(self, reason: str) -> NoReturn:
-        """Raise the error of the line taken last."""
-        raise CorpusError(self.path, max(1, self.number), reason)
+    def fail(self, reason: str, line: int = 0) -> NoReturn:
+        """Raise the error of ``line``, or of the line taken last."""
+        raise CorpusError(self.path, line or max(1, self.number), reason)
 
     def note(self, reason: str) -> None:
         """Remember something odd about the line taken last."""
@@ -62,10 +62,13 @@ class Lines:
         return line[len(wanted) :].strip()
 
     def take_until(self, wanted: str, stop: str) -> str:
-        """Take ``wanted`` and the lines after it up to one that begins with ``stop``."""
+        """Take ``wanted`` and the lines after it up to one that begins with ``stop``.
+
+        A line in angle brackets is no running text: it must be ``stop``.
+        """
         first = self.take(wanted)
         start = self.number
-        while not self.finished and not self.lines[self.number].startswith(stop):
+        while not self.finished and not self.lines[self.number].startswith((stop, "<")):
             self.number += 1
         return "\n".join([first, *self.lines[start : self.number]]).strip()
 

@@ -159,7 +159,7 @@ def _marks(document: Document) -> dict[str, tuple[str, ...]]:
 
 
 def _new_values(document: Document, marks: Mapping[str, tuple[str, ...]]) -> dict[str, str]:
-    """Values that the domain lacks: of what can be poured they are contents."""
+    """Values that the domain lacks: what can be poured has contents, all others are modes."""
     known = corpus_domain().constants
     states: State = frozenset().union(*(step.state for step in document.steps))
     pairs = sorted(f.args for f in states if f.predicate == _STATE and len(f.args) == 2)
@@ -167,7 +167,9 @@ def _new_values(document: Document, marks: Mapping[str, tuple[str, ...]]) -> dic
     for name, value in pairs:
         if value not in known and found.get(value) != "content":
             found[value] = "content" if "IsPourable" in marks.get(name, ()) else "mode"
-    return found
+    named = {word for fact in fittings(marks) for word in fact.args}
+    implied = sorted(named - marks.keys() - known.keys() - found.keys())
+    return found | dict.fromkeys(implied, "mode")
 
 
 def _scene_object(name: str) -> SceneObject:

@@ -38,11 +38,14 @@ def read_trace(path: Path) -> Trace:
     objects = _objects(lines)
     instructions = Instructions.among(objects)
     steps: list[Step] = []
+    instruction_line = 0
     lines.blank()
     while not lines.finished:
         if steps and steps[-1].action is None:
-            lines.fail(f"step {len(steps) - 1} has no instruction though a step follows it")
+            reason = f"step {len(steps) - 1} has no instruction though a step follows it"
+            lines.fail(reason, instruction_line)
         steps.append(_step(lines, len(steps), instructions))
+        instruction_line = lines.number - 1
         lines.blank()
     if not steps:
         lines.fail("the file ends before the first step")
