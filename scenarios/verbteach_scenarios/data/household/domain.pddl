@@ -1,8 +1,9 @@
 ; A household as a robot with two hands finds it.
 ;
 ; Substances are values, not things: a vessel has water, there is no water to
-; grasp. Heat and cold belong to things and to substances alike. A substance is
-; hot once what of it is in the room has been heated.
+; grasp. Heat and cold belong to things and to substances alike: a substance is
+; hot once some of it in the room has been heated. A hot vessel has something
+; hot in it, and what is poured from it makes the next one hot.
 ;
 ; The robot handles what it is near to. It is near what it last went to, what it
 ; holds, and what it has just put down.
@@ -19,8 +20,8 @@
   agent fixture item - thing
   robot person - agent
 
-  support receptacle storage opening device control plant hearth - fixture
-  surface seat burner - support
+  support burner receptacle storage opening device control plant hearth - fixture
+  surface seat - support
   bin basket sink - receptacle                ; open at the top
   cupboard drawer fridge machine - storage    ; open and shut
   heater washer - machine                     ; microwaves and ovens; dishwashers and the like
@@ -29,9 +30,10 @@
 
   holder plate utensil food cloth book disc cushion remote lighter candle ware - item
   vessel supply - holder                      ; a supply never runs out
-  cup bowl cookware jug - vessel
+  cup bowl cookware jug - vessel              ; cookware is pots, pans and kettles
   bottle jar squeezer packet - supply
-  spoon knife - utensil)
+  spoon knife - utensil
+  teabag - food)
 
 (:constants
   Robot - robot
@@ -122,14 +124,20 @@
   :precondition (and (grasping Robot ?x) (near Robot ?y))
   :effect (and
     (on ?x ?y) (not (grasping Robot ?x))
+    (not (hands-full Robot)) (when (not (hands-full Robot)) (not (carrying Robot)))))
+
+(:action set-on
+  :parameters (?c - cookware ?b - burner)
+  :precondition (and (grasping Robot ?c) (near Robot ?b))
+  :effect (and
+    (on ?c ?b) (not (grasping Robot ?c))
     (not (hands-full Robot)) (when (not (hands-full Robot)) (not (carrying Robot)))
-    ; a burning burner heats what stands on it, and what is in a pot, a pan or a kettle
-    (forall (?b - burner)
-      (when (and (= ?b ?y) (is-on ?b)) (and (hot ?x) (not (cold ?x)))))
-    (forall (?b - burner ?c - cookware ?f - food)
-      (when (and (= ?b ?y) (= ?c ?x) (is-on ?b) (in ?f ?c)) (and (hot ?f) (not (cold ?f)))))
-    (forall (?b - burner ?c - cookware ?s - substance)
-      (when (and (= ?b ?y) (= ?c ?x) (is-on ?b) (has ?c ?s)) (and (hot ?s) (not (cold ?s)))))))
+    ; a burning burner heats what is set on it, and what is in that
+    (when (is-on ?b) (and (hot ?c) (not (cold ?c))))
+    (forall (?f - food)
+      (when (and (is-on ?b) (in ?f ?c)) (and (hot ?f) (not (cold ?f)))))
+    (forall (?s - substance)
+      (when (and (is-on ?b) (has ?c ?s)) (and (hot ?s) (not (cold ?s)))))))
 
 (:action put-in
   :parameters (?x - item ?s - storage)
@@ -239,9 +247,9 @@
   :effect (and
     (forall (?b - burner) (when (and (controls ?k ?b) (is-on ?b)) (not (is-on ?b))))
     (forall (?b - burner) (when (and (controls ?k ?b) (not (is-on ?b))) (is-on ?b)))
-    (forall (?b - burner ?x - item)
-      (when (and (controls ?k ?b) (not (is-on ?b)) (on ?x ?b))
-            (and (hot ?x) (not (cold ?x)))))
+    (forall (?b - burner ?c - cookware)
+      (when (and (controls ?k ?b) (not (is-on ?b)) (on ?c ?b))
+            (and (hot ?c) (not (cold ?c)))))
     (forall (?b - burner ?c - cookware ?f - food)
       (when (and (controls ?k ?b) (not (is-on ?b)) (on ?c ?b) (in ?f ?c))
             (and (hot ?f) (not (cold ?f)))))
@@ -295,6 +303,8 @@
     (forall (?s - substance) (when (contains ?x ?s) (has ?y ?s)))
     (forall (?v - vessel ?s - substance)
       (when (and (= ?v ?x) (has ?v ?s)) (and (has ?y ?s) (not (has ?v ?s)))))
+    (forall (?v - vessel ?s - substance)
+      (when (and (= ?v ?x) (hot ?v) (has ?v ?s)) (and (hot ?y) (not (cold ?y)))))
     (not (mixed ?y))))
 
 (:action fill
@@ -343,7 +353,16 @@
 (:action stir
   :parameters (?v - vessel ?t - spoon)
   :precondition (and (grasping Robot ?t) (near Robot ?v) (not (stowed ?v)))
-  :effect (mixed ?v))
+  :effect (and
+    (mixed ?v)
+    ; instant coffee and tea are made in a hot cup of water
+    (forall (?c - cup)
+      (when (and (= ?c ?v) (hot ?c) (has ?c CoffeePowder) (has ?c Water))
+            (and (has ?c Coffee) (hot Coffee)
+                 (not (has ?c CoffeePowder)) (not (has ?c Water)))))
+    (forall (?c - cup ?b - teabag)
+      (when (and (= ?c ?v) (hot ?c) (in ?b ?c) (has ?c Water))
+            (and (has ?c Tea) (hot Tea) (not (has ?c Water)))))))
 
 (:action squeeze
   :parameters (?b - squeezer ?v - vessel)
@@ -366,9 +385,9 @@
   :parameters ()
   :precondition (and)
   :effect (and
-    ; what has come onto a burner or into the pots on it since it was lit
-    (forall (?b - burner ?x - item)
-      (when (and (is-on ?b) (on ?x ?b)) (and (hot ?x) (not (cold ?x)))))
+    ; what has come into a pot since it began to heat
+    (forall (?b - burner ?c - cookware)
+      (when (and (is-on ?b) (on ?c ?b)) (and (hot ?c) (not (cold ?c)))))
     (forall (?b - burner ?c - cookware ?f - food)
       (when (and (is-on ?b) (on ?c ?b) (in ?f ?c)) (and (hot ?f) (not (cold ?f)))))
     (forall (?b - burner ?c - cookware ?s - substance)

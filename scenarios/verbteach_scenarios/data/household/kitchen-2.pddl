@@ -27,7 +27,8 @@
   MilkCarton_1 Cola_1 Beer_1 Beer_2 Salt_1 - bottle
   CoffeeJar_1 SugarJar_1 - jar
   Ketchup_1 - squeezer
-  Ramen_1 Ramen_2 PizzaSlice_1 Banana_1 TeaBag_1 - food
+  Ramen_1 Ramen_2 PizzaSlice_1 Banana_1 - food
+  TeaBag_1 - teabag
   Sponge_1 Towel_1 - cloth
   Chair_1 - seat)
 

@@ -25,7 +25,8 @@
   Knife_1 - knife
   MilkCarton_1 OatMilk_1 Cola_1 Juice_1 - bottle
   Sugar_1 Cocoa_1 - jar
-  TeaBag_1 TeaBag_2 Sandwich_1 Orange_1 Banana_1 Cake_1 Lasagna_1 - food
+  TeaBag_1 TeaBag_2 - teabag
+  Sandwich_1 Orange_1 Banana_1 Cake_1 Lasagna_1 - food
   Sponge_1 Towel_1 - cloth
   Newspaper_1 - ware
   Stool_1 - seat
