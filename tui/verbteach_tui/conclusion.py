@@ -63,8 +63,16 @@ def _of_file(error: OSError) -> str:
 
 def _wrong_input() -> tuple[type[Exception], ...]:
     from verbteach.dialogue.moves import IllegalMoveError
-    from verbteach.dialogue.setting import UnknownSceneError
+    from verbteach.dialogue.setting import UnknownObjectError, UnknownSceneError
     from verbteach.world.fluents import FluentSyntaxError
     from verbteach_scenarios.errors import WorldFileError
+    from verbteach_sessions.errors import SessionError
 
-    return (IllegalMoveError, UnknownSceneError, FluentSyntaxError, WorldFileError)
+    return (
+        FluentSyntaxError,
+        IllegalMoveError,
+        SessionError,
+        UnknownObjectError,
+        UnknownSceneError,
+        WorldFileError,
+    )

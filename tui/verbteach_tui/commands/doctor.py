@@ -32,14 +32,14 @@ def examine() -> dict[str, Any]:
     import sys
 
     from verbteach import __version__
-    from verbteach_tui.folders import is_writable, sessions_folder
-    from verbteach_tui.installation import installed, requirements
+    from verbteach_sessions.catalogue import default_folder
+    from verbteach_tui.installation import installed, is_writable, requirements
     from verbteach_tui.terminal import Terminal
 
     needs = requirements()
     libraries = {name: installed(name) for name in needs.pop("", ())}
     extras = {extra: {name: installed(name) for name in names} for extra, names in needs.items()}
-    sessions = sessions_folder()
+    sessions = default_folder()
     terminal = Terminal.here()
     problems = [f"{name} is not installed" for name, found in libraries.items() if not found]
     if not is_writable(sessions):
