@@ -329,6 +329,7 @@ def test_objects_never_seen_before_follow_the_same_rules() -> None:
         "Stove_2Knob_7": (),
         "Dishwasher_1": ("Openable", "IsPlaceableIn"),
         "Dishwasher_1Door": (),
+        "Chest_1": ("Openable", "IsPlaceableIn"),
         "Jug_9": (G, P, "IsTippable"),
     }
     start = "(Near Robot Stove_2), (Near Robot Dishwasher_1), (Grasping Robot Jug_9), "
@@ -337,6 +338,10 @@ def test_objects_never_seen_before_follow_the_same_rules() -> None:
     assert play.does("pour Jug_9") == ["-(state Jug_9 Lemonade)"]
     assert play.does("open Dishwasher_1Door") == ["+(state Dishwasher_1 DoorIsOpen)"]
     assert "+(In Jug_9 Dishwasher_1)" in play.does("keep Jug_9 In Dishwasher_1")
+    assert play.does("moveto Chest_1", "open Chest_1") == [
+        "+(Near Robot Chest_1)",
+        "+(state Chest_1 DoorIsOpen)",
+    ]
 
 
 def test_marks_and_values_that_the_domain_lacks_join_it() -> None:

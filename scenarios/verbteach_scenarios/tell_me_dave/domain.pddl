@@ -174,7 +174,7 @@
       (forall (?o - item) (and
         (when (and (louder ?d ?o) (state ?o IsOn)) (state ?o Volume))
         (when (and (softer ?d ?o) (state ?o IsOn)) (not (state ?o Volume)))))
-      (forall (?x - item ?v - value)
+      (forall (?v - value ?x - item)
         (when (and (dispenses ?d ?v) (not (state ?h ?v)) (Grasping Robot ?x) (IsPourable ?x))
           (state ?x Water)))))
 

@@ -131,7 +131,7 @@ def _button(button: str, word: str, device: str) -> Iterator[Fluent]:
 
 
 def _doors(objects: Marks, part_of: Mapping[str, str]) -> Iterator[Fluent]:
-    """Doors are parts (``FridgeLeftDoor``); an appliance with just a ``Door`` is opened itself."""
+    """Doors are parts (``FridgeLeftDoor``); with one ``Door`` or none listed, the whole is opened."""
     doored = set()
     for door, host in part_of.items():
         word = door[len(host) :]
@@ -144,7 +144,9 @@ def _doors(objects: Marks, part_of: Mapping[str, str]) -> Iterator[Fluent]:
         if kind(thing).startswith("BagOf"):
             yield Fluent("opened-with", (thing, thing))
             yield Fluent("opens", (thing, thing, "IsOpen"))
-        if "IsPlaceableIn" in marks and thing not in doored:
+        if "Openable" in marks and thing not in doored:
+            yield from _door(thing, thing, "DoorIsOpen")
+        elif "IsPlaceableIn" in marks and thing not in doored:
             yield Fluent("doorless", (thing,))
 
 

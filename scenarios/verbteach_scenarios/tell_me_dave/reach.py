@@ -22,8 +22,8 @@ class ReachKind(Enum):
     ended as it began, which scores 0 whatever is done. ``NO_PLAN``: the
     planner found none. The others reach the change and change more:
     ``LEFT_IN_HAND`` leaves things in the hand that the demonstrator let go,
-    ``LEFT_ON`` leaves something on, open or filled as well that the
-    demonstrator turned back, ``OTHER_WAY`` goes to other places or objects.
+    ``LEFT_ON`` leaves, with or without that, something on, open or filled
+    that was not so in the end, ``OTHER_WAY`` leaves things or the robot elsewhere.
     """
 
     EXACT = "exact"
