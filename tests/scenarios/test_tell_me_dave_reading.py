@@ -23,7 +23,7 @@ from verbteach_scenarios.tell_me_dave.corpus import read_corpus
 from verbteach_scenarios.tell_me_dave.errors import CorpusError
 from verbteach_scenarios.tell_me_dave.traces import LineSyntaxError, parse_state, print_state
 
-WORDS = st.from_regex(r"[A-Za-z]\w{0,8}", fullmatch=True)
+WORDS = st.text("AbcXyz_019", min_size=1, max_size=6)
 FLUENTS = st.builds(Fluent, WORDS, st.lists(WORDS, min_size=1, max_size=3).map(tuple))
 
 

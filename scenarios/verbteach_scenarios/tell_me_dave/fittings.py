@@ -131,7 +131,7 @@ def _button(button: str, word: str, device: str) -> Iterator[Fluent]:
 
 
 def _doors(objects: Marks, part_of: Mapping[str, str]) -> Iterator[Fluent]:
-    """Doors are parts (``FridgeLeftDoor``); with one ``Door`` or none listed, the whole is opened."""
+    """Doors are parts (``FridgeLeftDoor``); with one ``Door`` or none, the whole is opened."""
     doored = set()
     for door, host in part_of.items():
         word = door[len(host) :]
