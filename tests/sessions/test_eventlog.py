@@ -255,7 +255,7 @@ def test_a_full_disk_is_an_error_with_its_reason(
     with monkeypatch.context() as patched:
         if call == "fsync":
             done = iter([full])  # the first fsync fails, that of the repair does not
-            patched.setattr(eventlog.os, "fsync", lambda fd: next(done, lambda: None)())
+            patched.setattr(os, "fsync", lambda fd: next(done, lambda: None)())
         else:
             patched.setattr(eventlog, "write_all", full)
         with pytest.raises(StorageError, match="the disk is full"):
@@ -273,7 +273,7 @@ def test_after_a_failure_that_could_not_be_repaired_nothing_more_is_written(
 
     log, _ = EventLog.open(folder, lambda event: None)
     with monkeypatch.context() as patched:
-        patched.setattr(eventlog.os, "fsync", broken)
+        patched.setattr(os, "fsync", broken)
         with pytest.raises(StorageError):
             log.append([Draft("note", 9.0, {"text": "perhaps"})])
     with pytest.raises(StorageError):

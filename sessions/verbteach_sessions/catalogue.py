@@ -1,0 +1,171 @@
+"""The sessions in a folder, in short: read from the two ends of each log, so that listing is quick.
+
+It judges no record; opening one does.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, BinaryIO
+
+from verbteach_sessions import events as kinds
+from verbteach_sessions.errors import NotASessionError, UnsafeNameError
+from verbteach_sessions.eventlog import LOG_NAME
+from verbteach_sessions.files import open_regular
+from verbteach_sessions.lines import MAX_LINE, VERSION, LineError, parse
+from verbteach_sessions.lock import in_use
+from verbteach_sessions.names import safe_name
+
+SESSIONS_VARIABLE = "VERBTEACH_SESSIONS"
+_TAIL = 256 * 1024
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One session. ``problem`` says why it cannot be resumed, and is empty where it can.
+
+    ``created`` is ISO 8601 in UTC. What could not be read is empty or 0.
+    """
+
+    path: Path
+    id: str
+    created: str = ""
+    scene: str = ""
+    participant: str | None = None
+    episodes: int = 0
+    verbs_learned: tuple[str, ...] = ()
+    ended: bool = False
+    problem: str = ""
+
+    @property
+    def resumable(self) -> bool:
+        """Whether the session can be opened for writing, as far as a glance can tell."""
+        return not self.problem
+
+    def to_json(self) -> dict[str, Any]:
+        """The fields, the path as text."""
+        fields = {**vars(self), "path": str(self.path), "verbs_learned": list(self.verbs_learned)}
+        return {**fields, "resumable": self.resumable}
+
+
+def default_folder() -> Path:
+    """Where sessions go unless another folder is named; it need not exist yet.
+
+    ``VERBTEACH_SESSIONS`` where it is set, else the platform's place for an
+    application's data.
+    """
+    named = os.environ.get(SESSIONS_VARIABLE)
+    if named:
+        return Path(named).expanduser()
+    return _data_folder() / "sessions"
+
+
+def list_sessions(folder: Path) -> tuple[Entry, ...]:
+    """The sessions in ``folder``, the newest first; none where there is no such folder."""
+    try:
+        paths = [path for path in folder.iterdir() if (path / LOG_NAME).exists()]
+    except OSError:
+        return ()
+    entries = [entry(path) for path in paths]
+    return tuple(sorted(entries, key=lambda one: (one.created, one.id), reverse=True))
+
+
+def entry(path: Path) -> Entry:
+    """The session in the folder ``path``; whatever is wrong with it is in ``problem``."""
+    try:
+        with open_regular(path / LOG_NAME) as log:
+            header = _header(log)
+            last = _tail(log)
+    except (NotASessionError, LineError) as error:
+        return Entry(path, path.name, problem=str(error))
+    after, ended = _standing(last)
+    totals, verbs = _object(after.get("totals")), after.get("verbs_learned")
+    episodes = totals.get("episodes")
+    participant = header.get("participant")
+    return Entry(
+        path,
+        path.name,
+        created=_text(header.get("created")),
+        scene=_text(after.get("scene")) or _text(header.get("scene")),
+        participant=participant if isinstance(participant, str) else None,
+        episodes=episodes if isinstance(episodes, int) else 0,
+        verbs_learned=tuple(str(v) for v in verbs) if isinstance(verbs, list) else (),
+        ended=ended,
+        problem="it is open in another place" if in_use(path) else "",
+    )
+
+
+def find_session(folder: Path, name: str) -> Path:
+    """The folder of the session called ``name``. Raises ``UnsafeNameError``, ``NotASessionError``.
+
+    A name cannot lead out of ``folder``: no separators, no dots, no links.
+    """
+    path = folder / safe_name(name)
+    if path.is_symlink():
+        raise UnsafeNameError(f"{path}: is a link, not a session's folder")
+    if not (path / LOG_NAME).is_file():
+        raise NotASessionError(f"{path}: holds no {LOG_NAME}")
+    return path
+
+
+def _data_folder() -> Path:
+    from platformdirs import user_data_path  # noqa: PLC0415 - only where no folder is named
+
+    return user_data_path("verbteach", appauthor=False)
+
+
+def _header(log: BinaryIO) -> Mapping[str, Any]:
+    event = _event(log.readline(MAX_LINE))
+    if event.get("type") != kinds.HEADER:
+        raise LineError("its first line is no header")
+    return _object(event.get("data"))
+
+
+def _tail(log: BinaryIO) -> Iterator[Mapping[str, Any]]:
+    """The last events, the last one first; a line that is torn or broken is passed over."""
+    size = log.seek(0, os.SEEK_END)
+    for length in (_TAIL, MAX_LINE + _TAIL):
+        log.seek(max(0, size - length))
+        found = [_lenient(raw) for raw in reversed(log.read().split(b"\n"))]
+        if any("after" in _object(event.get("data")) for event in found):
+            break
+    return iter(found)
+
+
+def _standing(events: Iterator[Mapping[str, Any]]) -> tuple[Mapping[str, Any], bool]:
+    """The last event's word on the state that holds, and whether the session has ended."""
+    ended = False
+    reopened = False
+    for event in events:
+        reopened = reopened or event.get("type") == kinds.RESUME
+        ended = ended or (event.get("type") == kinds.END and not reopened)
+        after = _object(event.get("data")).get("after")
+        if isinstance(after, dict):
+            return after, ended
+    return {}, ended
+
+
+def _event(raw: bytes) -> Mapping[str, Any]:
+    event = _object(parse(raw))
+    version = event.get("v")
+    if isinstance(version, int) and version > VERSION:
+        raise LineError(f"is of version {version}; this program reads up to {VERSION}")
+    return event
+
+
+def _lenient(raw: bytes) -> Mapping[str, Any]:
+    try:
+        return _event(raw)
+    except LineError:
+        return {}
+
+
+def _object(value: Any) -> Mapping[str, Any]:
+    return value if isinstance(value, dict) else {}
+
+
+def _text(value: Any) -> str:
+    return value if isinstance(value, str) else ""

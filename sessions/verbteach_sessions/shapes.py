@@ -1,0 +1,138 @@
+"""Shapes of JSON values: what kinds there are, how they are called, and whether a value is of one.
+
+A shape is an object with named fields, all of them needed and no others allowed.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, NamedTuple
+
+
+class Kind(NamedTuple):
+    """A kind of value. ``problems`` yields what is wrong with one, each with a path into it."""
+
+    name: str
+    problems: Callable[[Any], Iterator[str]]
+
+
+class Field(NamedTuple):
+    """A member of an object. ``content`` fields of an event enter the session's content hash."""
+
+    name: str
+    kind: Kind
+    meaning: str
+    content: bool = False
+
+
+class Shape(NamedTuple):
+    """An object: its name in the documentation, what it is, and its fields."""
+
+    name: str
+    meaning: str
+    fields: tuple[Field, ...]
+
+
+def wrong_fields(shape: Shape, value: Any) -> Iterator[str]:
+    """What is missing, unknown or of the wrong kind in an object."""
+    if not isinstance(value, dict):
+        yield ": is no object"
+        return
+    for field in shape.fields:
+        if field.name not in value:
+            yield f".{field.name}: is missing"
+            continue
+        for problem in field.kind.problems(value[field.name]):
+            yield f".{field.name}{problem}"
+    if len(value) > len(shape.fields):
+        known = {field.name for field in shape.fields}
+        yield from (f".{name[:40]}: is unknown" for name in sorted(value) if name not in known)
+
+
+def of_shape(shape: Shape) -> Kind:
+    """Values of a shape."""
+    return Kind(shape.name, lambda value: wrong_fields(shape, value))
+
+
+def list_of(kind: Kind) -> Kind:
+    """Lists of one kind of value."""
+
+    def problems(value: Any) -> Iterator[str]:
+        if not isinstance(value, list):
+            yield ": is no list"
+            return
+        for index, item in enumerate(value):
+            yield from (f"[{index}]{problem}" for problem in kind.problems(item))
+
+    return Kind(f"list of {kind.name}", problems)
+
+
+def row_of(*kinds: Kind) -> Kind:
+    """Lists of a fixed length, each place of its own kind."""
+
+    def problems(value: Any) -> Iterator[str]:
+        if not isinstance(value, list) or len(value) != len(kinds):
+            yield f": is no list of {len(kinds)}"
+            return
+        for index, (kind, item) in enumerate(zip(kinds, value, strict=True)):
+            yield from (f"[{index}]{problem}" for problem in kind.problems(item))
+
+    return Kind(f"[{', '.join(kind.name for kind in kinds)}]", problems)
+
+
+def mapping_of(kind: Kind) -> Kind:
+    """Objects with any names, all members of one kind."""
+
+    def problems(value: Any) -> Iterator[str]:
+        if not isinstance(value, dict):
+            yield ": is no object"
+            return
+        for name, item in value.items():
+            yield from (f".{name[:40]}{problem}" for problem in kind.problems(item))
+
+    return Kind(f"object of {kind.name}", problems)
+
+
+def or_null(kind: Kind) -> Kind:
+    """The kind, or ``null``."""
+    return Kind(f"{kind.name} or null", lambda v: iter(()) if v is None else kind.problems(v))
+
+
+def _plain(name: str, fits: Callable[[Any], bool]) -> Kind:
+    def problems(value: Any) -> Iterator[str]:
+        if not fits(value):
+            yield f": is no {name}"
+
+    return Kind(name, problems)
+
+
+def _is_integer(value: Any) -> bool:
+    return type(value) is int
+
+
+def _is_number(value: Any) -> bool:
+    return type(value) is int or (type(value) is float and math.isfinite(value))
+
+
+TEXT = _plain("text", lambda value: type(value) is str)
+INTEGER = _plain("integer", _is_integer)
+NUMBER = _plain("number", _is_number)
+FLAG = _plain("true or false", lambda value: type(value) is bool)
+OBJECT = _plain("object", lambda value: type(value) is dict)
+TEXTS = list_of(TEXT)
+
+
+def depth(value: Any) -> int:
+    """How deep lists and objects are nested in each other; 0 for a plain value."""
+    deepest, level = 0, [value]
+    while level := [inner for item in level for inner in _members(item)]:
+        deepest += 1
+    return deepest
+
+
+def _members(value: Any) -> Iterator[Any]:
+    if isinstance(value, Mapping):
+        yield from value.values()
+    elif isinstance(value, list):
+        yield from value

@@ -1,0 +1,148 @@
+"""Is a record sound? Every rule by name, and where and why it was broken; nothing is written."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from verbteach.dialogue.setting import Settings, UnknownSceneError
+from verbteach_sessions.checks import CHECKS
+from verbteach_sessions.errors import DamagedLogError, LogError, NotASessionError, SessionError
+from verbteach_sessions.eventlog import LogReader
+from verbteach_sessions.events import EVENT_TYPES, HEADER
+from verbteach_sessions.header import Header
+from verbteach_sessions.header_file import header_fits
+from verbteach_sessions.history import History, OrderError
+from verbteach_sessions.lines import Event
+from verbteach_sessions.replay import verify
+from verbteach_sessions.shapes import depth, wrong_fields
+
+MAX_DEPTH = 32
+
+# What each rule asks; the checks of single events add theirs.
+RULES = ("file", "hash", "schema", "header", "order", *CHECKS, "replay")
+
+
+@dataclass(frozen=True)
+class Finding:
+    """A rule that was broken: at which event (``None``: the whole record), and how."""
+
+    rule: str
+    seq: int | None
+    message: str
+
+
+@dataclass(frozen=True)
+class Validation:
+    """What was found. ``warnings`` do no harm: a record with none but these is valid."""
+
+    problems: tuple[Finding, ...] = ()
+    warnings: tuple[Finding, ...] = ()
+
+    @property
+    def valid(self) -> bool:
+        """Whether no rule was broken."""
+        return not self.problems
+
+    def to_json(self) -> dict[str, Any]:
+        """What ``sessions validate --json`` prints of one session."""
+        return {
+            "valid": self.valid,
+            "problems": [asdict(one) for one in self.problems],
+            "warnings": [asdict(one) for one in self.warnings],
+        }
+
+
+def validate(path: Path, settings: Settings) -> Validation:
+    """Hold a session against every rule. What is wrong with the record is never an exception."""
+    reader = LogReader(path)
+    walk = _Walk(reader)
+    problems = tuple(walk.problems())
+    if not problems:
+        problems = tuple(_replayed(path, settings))
+    return Validation(problems, tuple(walk.warnings()))
+
+
+class _Walk:
+    """One pass over a record with a history that grows along."""
+
+    def __init__(self, reader: LogReader) -> None:
+        self._reader = reader
+        self._history = History()
+
+    def problems(self) -> Iterator[Finding]:
+        try:
+            for event in self._reader:
+                wrong = [*self._wrong(event)]
+                yield from wrong
+                if any(one.rule in _BASIC for one in wrong):
+                    return  # what follows cannot be told from what followed from this
+        except DamagedLogError as error:
+            yield Finding("hash", error.line - 1, f"line {error.line} {error.problem}")
+        except LogError as error:
+            yield Finding("file", error.line - 1, f"line {error.line} {error.problem}")
+        except NotASessionError as error:
+            yield Finding("file", None, str(error))
+
+    def warnings(self) -> Iterator[Finding]:
+        for text in self._reader.warnings:
+            yield Finding("torn", self._reader.position.seq, text)
+        header = self._history.header
+        if header is not None and not header_fits(self._reader.path.parent, header):
+            yield Finding(
+                "header-file", 0, "header.json is missing or does not say what the log says"
+            )
+
+    def _wrong(self, event: Event) -> Iterator[Finding]:
+        shape = EVENT_TYPES.get(event.type)
+        if shape is None:
+            yield Finding("schema", event.seq, f"there is no event type {event.type!r}")
+            return
+        schema = [f"{event.type}{problem}" for problem in wrong_fields(shape, event.data)]
+        if not schema and depth(event.data) > MAX_DEPTH:
+            schema = [f"{event.type}: is nested deeper than {MAX_DEPTH}"]
+        if schema:
+            yield from (Finding("schema", event.seq, problem) for problem in schema)
+            return
+        yield from self._wrong_here(event)
+
+    def _wrong_here(self, event: Event) -> Iterator[Finding]:
+        if event.type == HEADER and (problem := _wrong_header(event)):
+            yield Finding("header", event.seq, problem)
+            return
+        for rule, check in CHECKS.items():
+            yield from (
+                Finding(rule, event.seq, problem) for problem in check(event, self._history)
+            )
+        try:
+            self._history.take(event)
+        except OrderError as error:
+            yield Finding("order", event.seq, str(error))
+
+
+_BASIC = frozenset({"schema", "header", "order"})
+
+
+def _wrong_header(event: Event) -> str:
+    try:
+        Header.from_json(event.data)
+    except (ValueError, SessionError) as error:
+        return str(error)
+    return ""
+
+
+def _replayed(path: Path, settings: Settings) -> Iterator[Finding]:
+    try:
+        difference = verify(path, settings).first_difference
+    except (SessionError, UnknownSceneError) as error:
+        yield Finding("replay", None, str(error))
+        return
+    if difference is not None:
+        yield Finding(
+            "replay",
+            difference.seq,
+            f"{difference.field} was recorded as {difference.recorded!r},"
+            f" recomputing gives {difference.recomputed!r}"[:400],
+        )
