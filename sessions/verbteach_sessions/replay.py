@@ -51,8 +51,8 @@ class Frame(NamedTuple):
     state: RobotState | None
 
 
-def verify(path: Path, settings: Settings) -> Verification:
-    """Recompute every event of a session and compare it with what was recorded.
+def verify(path: Path, settings: Settings, to: int | None = None) -> Verification:
+    """Recompute every event of a session, up to number ``to`` with it, and compare.
 
     A line that was changed, lost or replaced is a difference; a torn last line
     is a warning. Raises ``NewerLogError``, ``NotASessionError``, ``LogError``
@@ -61,15 +61,19 @@ def verify(path: Path, settings: Settings) -> Verification:
     reader = LogReader(path)
     past = Recomputing(settings)
     difference: Difference | None = None
+    events = 0
     try:
         for event in reader:
+            if to is not None and event.seq > to:
+                break
+            events += 1
             _take(reader, past, event)
     except DamagedLogError as error:
         difference = past.difference or _damage(reader, error)
     difference = difference or past.difference
     return Verification(
         verified=difference is None,
-        events=reader.position.seq,
+        events=events,
         first_difference=difference,
         content_hash=past.fold.content.hexdigest,
         warnings=(*reader.warnings, *_pins(past)),

@@ -31,12 +31,16 @@ def _rounds(lessons: Sequence[Lesson], seed: int) -> Iterator[Lesson]:
 
 
 class SimulatedTeacher:
-    """Teaches ``lessons`` one after the other and never errs; implements ``Teacher``."""
+    """Teaches ``lessons`` one after the other and never errs; implements ``Teacher``.
 
-    def __init__(self, lessons: Sequence[Lesson], settings: Settings) -> None:
+    ``given`` counts those whose command has been said; a teacher who comes back
+    to a session is told how many.
+    """
+
+    def __init__(self, lessons: Sequence[Lesson], settings: Settings, given: int = 0) -> None:
         self._lessons = tuple(lessons)
         self._settings = settings
-        self._given = 0
+        self.given = given
 
     def reply(self, turn: RobotTurn, state: RobotState) -> TeacherAct | None:
         """Answer from the current lesson, or give the next one's command."""
@@ -54,16 +58,16 @@ class SimulatedTeacher:
 
     @property
     def _lesson(self) -> Lesson:
-        return self._lessons[self._given - 1]
+        return self._lessons[self.given - 1]
 
     def _command(self, state: RobotState) -> TeacherAct | None:
-        if self._given >= len(self._lessons):
+        if self.given >= len(self._lessons):
             return None
-        lesson = self._lessons[self._given]
+        lesson = self._lessons[self.given]
         found = self._settings(lesson.scene).scene.initial
         if state.scene != lesson.scene or state.world != found:
             return acts.GoToScene(lesson.scene)
-        self._given += 1
+        self.given += 1
         return acts.Command(lesson.command)
 
     def _answer(self, question: acts.RobotAct) -> TeacherAct:
