@@ -9,6 +9,47 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "verbteach",
         "verbteach teach --scene kitchen-1",
     ),
+    "verbteach teach": (
+        "verbteach teach --scene kitchen-1",
+        "verbteach teach --plain --from my-sessions/20260101-120000-abcdefgh",
+        "verbteach teach --teacher simulated --lessons 50 --seed 1 --json",
+        "verbteach teach --teacher lesson.txt --scene kitchen-1",
+        "verbteach teach --resume my-sessions/20260101-120000-abcdefgh",
+    ),
+    "verbteach replay": (
+        "verbteach replay my-sessions/20260101-120000-abcdefgh",
+        "verbteach replay my-sessions/20260101-120000-abcdefgh --speed 2",
+        "verbteach replay my-sessions/20260101-120000-abcdefgh --verify --json",
+    ),
+    "verbteach sessions": ("verbteach sessions list",),
+    "verbteach sessions list": (
+        "verbteach sessions list",
+        "verbteach sessions list --sessions my-sessions --json",
+    ),
+    "verbteach sessions show": ("verbteach sessions show my-sessions/20260101-120000-abcdefgh",),
+    "verbteach sessions validate": (
+        "verbteach sessions validate my-sessions",
+        "verbteach sessions validate my-sessions/20260101-120000-abcdefgh --json",
+    ),
+    "verbteach benchmark": ("verbteach benchmark check tell-me-dave",),
+    "verbteach benchmark check": (
+        "verbteach benchmark check tell-me-dave",
+        "verbteach benchmark check tell-me-dave --json",
+    ),
+    "verbteach parse": (
+        'verbteach parse "put the red mug in the sink and turn on the tap"',
+        'verbteach parse "boil the water" --scene kitchen-1 --json',
+    ),
+    "verbteach scenes": ("verbteach scenes list",),
+    "verbteach scenes list": (
+        "verbteach scenes list",
+        "verbteach scenes list --scenes my-scenes --json",
+    ),
+    "verbteach scenes show": ("verbteach scenes show kitchen-1",),
+    "verbteach scenes check": (
+        "verbteach scenes check",
+        "verbteach scenes check --scenes my-scenes",
+    ),
     "verbteach doctor": (
         "verbteach doctor",
         "verbteach doctor --json",

@@ -13,4 +13,8 @@ def home() -> int:
             "the home screen needs a terminal; "
             "'verbteach teach --plain' goes on without one, 'verbteach --help' lists the commands"
         )
-    return 0
+    from verbteach_sessions.catalogue import default_folder
+    from verbteach_tui.beginning import Beginning
+    from verbteach_tui.room import full_screen
+
+    return full_screen(Beginning(default_folder(), "app"))

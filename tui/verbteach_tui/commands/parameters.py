@@ -2,10 +2,52 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from pathlib import Path
+from typing import Annotated, Literal
 
 import typer
 
+
+def scene_names(incomplete: str) -> list[str]:
+    """The bundled scenes whose names begin so, for the shell's completion."""
+    from verbteach_scenarios.scenes import scene_ids
+
+    return [name for name in scene_ids() if name.startswith(incomplete)]
+
+
 JsonFlag = Annotated[
     bool, typer.Option("--json", help="Print exactly one JSON document on standard output.")
+]
+ScenesFolder = Annotated[
+    Path | None,
+    typer.Option("--scenes", metavar="DIR", help="Take scenes from this folder, not the bundled."),
+]
+SceneOption = Annotated[
+    str | None,
+    typer.Option("--scene", metavar="ID", help="The scene.", autocompletion=scene_names),
+]
+SessionArgument = Annotated[
+    Path, typer.Argument(metavar="SESSION", help="A session's folder, or its events.jsonl.")
+]
+SessionsFolder = Annotated[
+    Path | None,
+    typer.Option(
+        "--sessions",
+        metavar="FOLDER",
+        help="The folder of sessions (else VERBTEACH_SESSIONS, else your data folder).",
+    ),
+]
+NoiseOption = Annotated[
+    Literal["perfect", "std3", "std5", "uniform"] | None,
+    typer.Option("--noise", help="How unreliable the robot's eyes are (perfect)."),
+]
+NoiseReading = Annotated[
+    Literal["literal", "phantom"] | None,
+    typer.Option("--noise-reading", help="How the noise is read (literal)."),
+]
+PolicyOption = Annotated[
+    str | None, typer.Option("--policy", metavar="NAME", help="How the robot asks (she16).")
+]
+SeedOption = Annotated[
+    int | None, typer.Option("--seed", min=0, max=2**63 - 1, help="The seed of all draws (0).")
 ]

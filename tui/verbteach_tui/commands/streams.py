@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from verbteach_tui.views.visible import visible
+
+if TYPE_CHECKING:
+    from rich.progress import TaskID
 
 
 def emit(document: Any) -> None:
@@ -32,16 +35,17 @@ def _visible(text: str) -> str:
 
 
 def columns(rows: Sequence[Sequence[object]]) -> str:
-    """Rows as aligned columns, numbers to the right, without boxes."""
-    texts = [[_cell(cell) for cell in row] for row in rows]
-    widths = [max(map(len, column)) for column in zip(*texts, strict=True)]
-    return "\n".join(
-        "  ".join(
-            text.rjust(width) if _is_number(cell) else text.ljust(width)
-            for cell, text, width in zip(row, line, widths, strict=True)
-        ).rstrip()
-        for row, line in zip(rows, texts, strict=True)
-    )
+    """Rows as aligned columns without boxes; a column of numbers stands to the right."""
+    made = [_column(column) for column in zip(*rows, strict=True)]
+    return "\n".join("  ".join(line).rstrip() for line in zip(*made, strict=True))
+
+
+def _column(cells: Sequence[object]) -> list[str]:
+    """The cells as texts of one width; the first may be a heading."""
+    texts = [_cell(cell) for cell in cells]
+    width = max(map(len, texts))
+    numeric = len(cells) > 1 and all(_is_number(cell) for cell in cells[1:])
+    return [text.rjust(width) if numeric else text.ljust(width) for text in texts]
 
 
 def _cell(cell: object) -> str:
@@ -54,25 +58,38 @@ def _is_number(cell: object) -> bool:
     return isinstance(cell, int | float) and not isinstance(cell, bool)
 
 
+class Progress(Protocol):
+    """Says how far something is."""
+
+    def __call__(self, stage: str, done: int, total: int) -> None:
+        """``done`` of ``total`` in this stage."""
+        ...
+
+
 @contextmanager
-def progress(label: str, total: int | None) -> Iterator[Callable[[int], None]]:
-    """A bar on standard error while the block runs; it is advanced by calling what is given.
+def progress() -> Iterator[Progress]:
+    """A bar on standard error while the block runs, shown once it is told of a stage.
 
     Nothing is shown where standard error is no terminal.
     """
     from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn
+    from rich.progress import Progress as Bars
 
     console = Console(stderr=True)
-    bar = Progress(
-        TextColumn("{task.description}"),
+    columns = (
+        TextColumn("{task.description}", markup=False),
         BarColumn(),
         MofNCompleteColumn(),
         TimeElapsedColumn(),
-        console=console,
-        disable=not console.is_terminal,
-        transient=True,
     )
-    with bar:
-        task = bar.add_task(label, total=total)
-        yield lambda steps: bar.advance(task, steps)
+    bars = Bars(*columns, console=console, disable=not console.is_terminal, transient=True)
+    tasks: dict[str, TaskID] = {}
+
+    def show(stage: str, done: int, total: int) -> None:
+        if stage not in tasks:
+            tasks[stage] = bars.add_task(stage, total=total)
+        bars.update(tasks[stage], completed=done, total=total)
+
+    with bars:
+        yield show

@@ -2,33 +2,66 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Callable, Mapping
+from typing import Annotated, TypeAlias
 
 import typer
 
 from verbteach import __version__
-from verbteach_tui.commands.doctor import doctor
+from verbteach_tui.commands import benchmark, doctor, parse, replay, scenes, sessions, teach
 from verbteach_tui.commands.examples import epilog
 from verbteach_tui.commands.home import home
 from verbteach_tui.conclusion import WrongUseError, concluded
 
 NAME = "verbteach"
 
+Command: TypeAlias = Callable[..., None]
+COMMANDS: Mapping[str, Command] = {
+    "teach": teach.teach,
+    "replay": replay.replay,
+    "parse": parse.parse,
+    "doctor": doctor.doctor,
+}
+GROUPS: Mapping[str, tuple[str, Mapping[str, Command]]] = {
+    "sessions": (
+        "The records of teaching sessions.",
+        {
+            "list": sessions.list_sessions,
+            "show": sessions.show_session,
+            "validate": sessions.validate,
+        },
+    ),
+    "scenes": (
+        "The worlds to teach in: the bundled ones, or your own.",
+        {"list": scenes.list_scenes, "show": scenes.show_scene, "check": scenes.check},
+    ),
+    "benchmark": ("The Tell Me Dave corpus.", {"check": benchmark.check}),
+}
+
 
 def build() -> typer.Typer:
     """The whole command line as a Typer application."""
-    app = typer.Typer(
-        name=NAME,
-        help="Teach a simulated household robot what verbs mean.",
-        epilog=epilog(NAME),
+    app = _group(NAME, "Teach a simulated household robot what verbs mean.")
+    app.callback(invoke_without_command=True)(start)
+    for name, command in COMMANDS.items():
+        app.command(name, epilog=epilog(f"{NAME} {name}"))(command)
+    for name, (about, commands) in GROUPS.items():
+        group = _group(f"{NAME} {name}", about)
+        for inner, command in commands.items():
+            group.command(inner, epilog=epilog(f"{NAME} {name} {inner}"))(command)
+        app.add_typer(group, name=name)
+    return app
+
+
+def _group(path: str, about: str) -> typer.Typer:
+    return typer.Typer(
+        help=about,
+        epilog=epilog(path),
         rich_markup_mode=None,  # plain help reads well in a pipe and to a screen reader
         pretty_exceptions_enable=False,
+        add_completion=path == NAME,
         context_settings={"help_option_names": ["-h", "--help"]},
     )
-    app.callback(invoke_without_command=True)(start)
-    for command in (doctor,):
-        app.command(epilog=epilog(f"{NAME} {command.__name__}"))(command)
-    return app
 
 
 def start(

@@ -1,0 +1,132 @@
+"""How the sessions of this run begin and go on: what the command line named, in one place.
+
+The home screen, a screen opened at once, the plain mode, a script and the
+simulated teacher all get their sessions from here. Imports what is heavy only
+when a session is opened, so that the home screen appears at once.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from verbteach_tui.conclusion import WrongUseError
+
+if TYPE_CHECKING:
+    from verbteach.dialogue.setting import Setting, Settings
+    from verbteach.world.scene import Scene
+    from verbteach_sessions.header import Source
+    from verbteach_sessions.method import Method
+    from verbteach_sessions.session import Session
+
+
+@dataclass(frozen=True)
+class Choices:
+    """The method that a new session runs under, by the names on the command line."""
+
+    policy: str = "she16"
+    noise: str = "perfect"
+    noise_reading: str = "literal"
+    seed: int = 0
+
+
+@dataclass(frozen=True)
+class Beginning:
+    """What new sessions begin with, and where they are kept.
+
+    ``interface`` is where the session is held (app, plain, script, simulated),
+    ``teacher`` who teaches. ``scenes`` is the person's own folder of scenes;
+    ``before`` a session whose verbs new ones start with. ``opened`` holds the
+    sessions of this run, the last one last.
+    """
+
+    folder: Path
+    interface: str
+    teacher: str = "human"
+    scenes: Path | None = None
+    choices: Choices = field(default_factory=Choices)
+    participant: str | None = None
+    before: Path | None = None
+    opened: list[Session] = field(default_factory=list, compare=False)
+
+    def setting(self, scene: str) -> Setting:
+        """The scene made ready. Raises ``UnknownSceneError`` and ``WorldFileError``."""
+        return self._settings(scene)
+
+    def scene(self, scene: str) -> Scene:
+        """The scene to look at, which is quicker. Raises as :meth:`setting` does."""
+        from verbteach_scenarios.scenes import load_scene
+
+        return load_scene(scene, self.scenes)
+
+    def scene_ids(self) -> tuple[str, ...]:
+        """The scenes there are. Raises ``WorldFileError`` where there is no such folder."""
+        from verbteach_scenarios.scenes import scene_ids
+
+        return scene_ids(self.scenes)
+
+    @cached_property
+    def method(self) -> Method:
+        """The method by its names. Raises :class:`WrongUseError` for one that is not there."""
+        from verbteach.dialogue.parameters import RobotParameters
+        from verbteach.perception.noise import NoiseModel
+        from verbteach_sessions.method import POLICIES, Method
+
+        chosen = self.choices
+        if chosen.policy not in POLICIES:
+            has = ", ".join(POLICIES)
+            raise WrongUseError(f"this version has no policy {chosen.policy!r}; it has: {has}")
+        noise = NoiseModel.named(chosen.noise, chosen.noise_reading)
+        return Method.named(chosen.policy, RobotParameters(seed=chosen.seed, noise=noise))
+
+    @cached_property
+    def source(self) -> Source | None:
+        """What the earlier session taught. Raises the errors of reading a record."""
+        from verbteach_sessions.learned import source_from
+
+        return None if self.before is None else source_from(self.before)
+
+    def create(self, scene: str) -> Session:
+        """A new session in a scene. Raises ``UnknownSceneError`` and ``SessionError``."""
+        from verbteach_sessions.header import Header
+        from verbteach_sessions.session import Session
+
+        header = Header.new(
+            scene,
+            self.method,
+            interface=self.interface,
+            terminal=_terminal_size(),
+            teacher=self.teacher,
+            participant=self.participant,
+            source=self.source,
+        )
+        return self._keep(Session.create(self.folder, header, self.setting))
+
+    def resume(self, path: Path) -> Session:
+        """Go on with the session in ``path``. Raises what ``Session.resume`` raises."""
+        from verbteach_sessions.header import Machine
+        from verbteach_sessions.session import Session
+
+        machine = Machine.here(self.interface, _terminal_size())
+        return self._keep(Session.resume(path, self.setting, machine=machine))
+
+    @cached_property
+    def _settings(self) -> Settings:
+        from verbteach_scenarios.settings import make_settings
+
+        return make_settings(self.scenes)
+
+    def _keep(self, session: Session) -> Session:
+        self.opened.append(session)
+        return session
+
+
+def _terminal_size() -> tuple[int, int] | None:
+    try:
+        size = os.get_terminal_size()
+    except OSError:
+        return None
+    return size.columns, size.lines

@@ -1,0 +1,76 @@
+"""`verbteach replay`: a record told again, or recomputed and compared."""
+
+from __future__ import annotations
+
+import json
+import time
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from verbteach_tui.commands.parameters import JsonFlag, ScenesFolder, SessionArgument
+from verbteach_tui.commands.streams import emit, note, tell
+from verbteach_tui.conclusion import CHECK_FAILED
+
+LONGEST = 300  # characters of a differing value
+
+
+def replay(
+    session: SessionArgument,
+    verify: Annotated[
+        bool, typer.Option("--verify", help="Recompute everything and compare it with the record.")
+    ] = False,
+    to: Annotated[
+        int | None, typer.Option("--to", min=0, metavar="SEQ", help="Stop after this event.")
+    ] = None,
+    speed: Annotated[
+        float,
+        typer.Option(min=0.0, metavar="X", help="1: as it was, 2: twice as fast, 0: at once."),
+    ] = 0.0,
+    plain: Annotated[bool, typer.Option("--plain", help="As lines (always, so far).")] = False,
+    scenes: ScenesFolder = None,
+    as_json: JsonFlag = False,
+) -> None:
+    """Tell a session again, or with --verify recompute it and compare.
+
+    Exit status 1 where recomputing gives something else. A torn last line is a
+    warning.
+    """
+    if verify or as_json:
+        _verify(session, to, scenes, as_json, verify)
+    else:
+        _tell(session, to, scenes, speed)
+
+
+def _tell(session: Path, to: int | None, scenes: Path | None, speed: float) -> None:
+    from verbteach_scenarios.settings import make_settings
+    from verbteach_sessions.replay import replay as frames
+    from verbteach_tui.playback import told
+
+    for line in told(frames(session, make_settings(scenes), to), speed, time.sleep):
+        tell(line)
+
+
+def _verify(session: Path, to: int | None, scenes: Path | None, as_json: bool, asked: bool) -> None:
+    from verbteach_scenarios.settings import make_settings
+    from verbteach_sessions.replay import verify
+
+    found = verify(session, make_settings(scenes), to)
+    for warning in found.warnings:
+        note(f"warning: {warning}")
+    if as_json:
+        emit(found.to_json())
+    elif found.first_difference is None:
+        tell(f"verified: {found.events} events, content hash {found.content_hash}")
+    else:
+        tell(f"event {found.first_difference.seq} differs: {found.first_difference.field}")
+        tell(f"  recorded:   {_short(found.first_difference.recorded)}")
+        tell(f"  recomputed: {_short(found.first_difference.recomputed)}")
+    if asked and not found.verified:
+        raise typer.Exit(CHECK_FAILED)
+
+
+def _short(value: object) -> str:
+    text = json.dumps(value, ensure_ascii=False)
+    return text if len(text) <= LONGEST else f"{text[:LONGEST]}..."

@@ -1,0 +1,234 @@
+"""`verbteach teach`: a teaching session, by a person, a script or the simulated teacher."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, TextIO
+
+import typer
+
+from verbteach_tui.beginning import Beginning, Choices
+from verbteach_tui.commands.parameters import (
+    JsonFlag,
+    NoiseOption,
+    NoiseReading,
+    PolicyOption,
+    SceneOption,
+    ScenesFolder,
+    SeedOption,
+    SessionsFolder,
+)
+from verbteach_tui.commands.streams import columns, emit, note, progress, tell
+from verbteach_tui.conclusion import DONE, INTERRUPTED, WrongUseError
+from verbteach_tui.near import known
+from verbteach_tui.options import OpenHome, Opening, OpenNew, OpenSession
+from verbteach_tui.terminal import has_terminal
+
+if TYPE_CHECKING:
+    from verbteach_sessions.session import Session
+
+HUMAN, SIMULATED = "human", "simulated"
+LESSONS = 20
+NO_SESSION: Mapping[str, Any] = {
+    "session": None,
+    "episodes": 0,
+    "successes": 0,
+    "questions": 0,
+    "verbs_learned": [],
+    "reward": 0.0,
+}
+
+
+def teach(
+    scene: SceneOption = None,
+    teacher: Annotated[
+        str,
+        typer.Option(
+            metavar="human|simulated|FILE|-",
+            help="Who teaches: you, the bundled lessons' teacher, or a script's lines.",
+        ),
+    ] = HUMAN,
+    lessons: Annotated[
+        int | None,
+        typer.Option(min=1, metavar="N", help=f"How many the simulated teacher gives ({LESSONS})."),
+    ] = None,
+    plain: Annotated[bool, typer.Option("--plain", help="Lines instead of a full screen.")] = False,
+    noise: NoiseOption = None,
+    noise_reading: NoiseReading = None,
+    policy: PolicyOption = None,
+    source: Annotated[
+        Path | None,
+        typer.Option("--from", metavar="SESSION", help="Start with this session's verbs."),
+    ] = None,
+    participant: Annotated[
+        str | None, typer.Option(metavar="CODE", help="The participant's code, for the record.")
+    ] = None,
+    seed: SeedOption = None,
+    sessions: SessionsFolder = None,
+    resume: Annotated[
+        Path | None,
+        typer.Option(metavar="SESSION", help="Go on with this session as it began."),
+    ] = None,
+    scenes: ScenesFolder = None,
+    theme: Annotated[str | None, typer.Option(metavar="NAME", help="The screen's colours.")] = None,
+    as_json: JsonFlag = False,
+) -> None:
+    """Teach the robot verbs, in a session that is kept.
+
+    Without a terminal a human teaches in plain lines. A script's line that does
+    not fit ends it with status 2; what was said before is kept.
+    """
+    _refuse_together(
+        resume,
+        {
+            "--scene": scene,
+            "--noise": noise,
+            "--noise-reading": noise_reading,
+            "--policy": policy,
+            "--from": source,
+            "--participant": participant,
+            "--seed": seed,
+        },
+    )
+    if lessons is not None and teacher != SIMULATED:
+        raise WrongUseError("--lessons is for --teacher simulated")
+    from verbteach_sessions.catalogue import default_folder
+
+    default = Choices()
+    beginning = Beginning(
+        folder=sessions or default_folder(),
+        interface=_interface(teacher, plain),
+        teacher=teacher if teacher in (HUMAN, SIMULATED) else "script",
+        scenes=scenes,
+        choices=Choices(
+            policy or default.policy,
+            noise or default.noise,
+            noise_reading or default.noise_reading,
+            default.seed if seed is None else seed,
+        ),
+        participant=participant,
+        before=source,
+    )
+    if scene is not None:
+        known(scene, beginning.scene_ids(), "scene")
+    if beginning.interface == "app":
+        status = _on_screen(beginning, scene, resume, theme)
+    elif beginning.interface == "simulated":
+        status = _simulated(beginning, scene, resume, lessons or LESSONS)
+    elif beginning.interface == "script":
+        status = _scripted(beginning, teacher, scene, resume, ignore if as_json else tell)
+    else:
+        status = _plain(beginning, scene, resume, sys.stderr if as_json else sys.stdout)
+    _conclude(beginning, as_json)
+    if status != DONE:
+        raise typer.Exit(status)
+
+
+def _refuse_together(resume: Path | None, given: dict[str, object]) -> None:
+    for option, value in given.items():
+        if resume is not None and value is not None:
+            raise WrongUseError(f"--resume goes on with what the session began with: no {option}")
+
+
+def _interface(teacher: str, plain: bool) -> str:
+    if teacher == SIMULATED:
+        return "simulated"
+    if teacher != HUMAN:
+        return "script"
+    return "plain" if plain or not has_terminal() else "app"
+
+
+def ignore(text: str) -> None:
+    """Say nothing."""
+
+
+def _on_screen(
+    beginning: Beginning, scene: str | None, resume: Path | None, theme: str | None
+) -> int:
+    from verbteach_tui.room import full_screen
+
+    opening: Opening = OpenSession(resume) if resume else OpenNew(scene) if scene else OpenHome()
+    return full_screen(beginning, opening, theme)
+
+
+def _plain(beginning: Beginning, scene: str | None, resume: Path | None, output: TextIO) -> int:
+    from verbteach_tui.plain import run_plain
+
+    with _session(beginning, scene or beginning.scene_ids()[0], resume) as session:
+        return run_plain(session, output=output)
+
+
+def _scripted(
+    beginning: Beginning,
+    script: str,
+    scene: str | None,
+    resume: Path | None,
+    heard: Callable[[str], None],
+) -> int:
+    from verbteach_tui.headless import play_script, script_lines
+
+    with (
+        script_lines(script) as lines,
+        _session(beginning, scene or beginning.scene_ids()[0], resume) as session,
+    ):
+        return _interruptible(session, lambda: play_script(session, script, lines, heard))
+
+
+def _simulated(beginning: Beginning, scene: str | None, resume: Path | None, count: int) -> int:
+    from verbteach_scenarios.lessons import load_lessons
+    from verbteach_tui.headless import simulate
+
+    lessons = [one for one in load_lessons() if scene in (None, one.scene)]
+    if not lessons:
+        raise WrongUseError(f"there is no lesson in the scene {scene!r}")
+    with _session(beginning, scene or lessons[0].scene, resume) as session, progress() as show:
+        return _interruptible(
+            session,
+            lambda: simulate(
+                session, lessons, count, beginning.setting, lambda n: show("lessons", n, count)
+            ),
+        )
+
+
+@contextmanager
+def _session(beginning: Beginning, scene: str, resume: Path | None) -> Iterator[Session]:
+    """A session that was gone on with, or a new one; closed at the end."""
+    with beginning.resume(resume) if resume else beginning.create(scene) as session:
+        for text in session.recovered:
+            note(text)
+        yield session
+
+
+def _interruptible(session: Session, run: Callable[[], None]) -> int:
+    """Ctrl-C ends the run; the session is whole up to there, and can be gone on with."""
+    try:
+        run()
+    except KeyboardInterrupt:
+        note("interrupted; all that was said is kept")
+        note(f"go on: verbteach teach --resume {session.path}")
+        return INTERRUPTED
+    return DONE
+
+
+def _conclude(beginning: Beginning, as_json: bool) -> None:
+    """Say what became of the session: the last one of this run, if there was one."""
+    from verbteach_sessions.session import summary
+
+    if not beginning.opened:
+        if as_json:
+            emit(NO_SESSION)
+        return
+    came_of_it = summary(beginning.opened[-1])
+    if as_json:
+        emit(came_of_it)
+        return
+    rows = [(key.replace("_", " "), _shown(value)) for key, value in came_of_it.items()]
+    tell()
+    tell(columns(rows))
+
+
+def _shown(value: object) -> object:
+    return ", ".join(value) if isinstance(value, list) else value

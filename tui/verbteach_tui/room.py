@@ -1,0 +1,26 @@
+"""The full screen, opened with what the command line named."""
+
+from __future__ import annotations
+
+from verbteach_tui.beginning import Beginning
+from verbteach_tui.options import AppOptions, OpenHome, Opening
+
+
+def full_screen(
+    beginning: Beginning, opening: Opening | None = None, theme: str | None = None
+) -> int:
+    """Run the app; the exit status."""
+    from verbteach_tui.app import run_app
+
+    return run_app(
+        AppOptions(
+            settings=beginning.setting,
+            scenes=beginning.scene_ids,
+            create=beginning.create,
+            resume=beginning.resume,
+            sessions=beginning.folder,
+            load=beginning.scene,
+            opening=opening or OpenHome(),
+            theme=theme,
+        )
+    )
