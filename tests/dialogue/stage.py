@@ -17,7 +17,7 @@ BOIL = (
     "moveto Kettle_1",
     "grasp Kettle_1",
     "moveto Burner_1",
-    "put-on Kettle_1 Burner_1",
+    "set-on Kettle_1 Burner_1",
     "moveto StoveKnob_1",
     "turn StoveKnob_1",
 )

@@ -133,13 +133,15 @@ def _first_reading(draft: Draft) -> ReadBack:
     goals = ground_goals(space)
     fewest = min(len(goal) for goal in goals)
     smallest = [goal for goal in goals if len(goal) == fewest]
-    goal = max(smallest, key=lambda g: (_about_arguments(draft, g), sorted(g)))
+    goal = min(smallest, key=lambda one: _telling_order(draft, one))
     return ReadBack(whole, goal, space)
 
 
-def _about_arguments(draft: Draft, goal: Goal) -> int:
+def _telling_order(draft: Draft, goal: Goal) -> tuple[int, int, list[Literal]]:
+    """Order goals: about the command's objects first, what is before what is not."""
     objects = set(draft.episode.best_objects)
-    return sum(bool(objects & set(literal.fluent.args)) for literal in goal)
+    about = sum(bool(objects & set(literal.fluent.args)) for literal in goal)
+    return -about, -sum(literal.positive for literal in goal), sorted(goal)
 
 
 def _space(draft: Draft) -> HypothesisSpace | None:

@@ -32,6 +32,11 @@ class Setting:
     lexicon: Lexicon
 
     @cached_property
+    def vocabulary(self) -> tuple[str, ...]:
+        """The nouns for what is in the scene, sorted."""
+        return tuple(sorted({n for thing in self.scene.objects.values() for n in thing.names}))
+
+    @cached_property
     def surroundings(self) -> Surroundings:
         """What the verb learner knows of the scene."""
         return Surroundings.of(self.scene)

@@ -2,27 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache, cached_property
 
 from verbteach.dialogue.setting import Setting
 from verbteach.language import inflection, morphology
 from verbteach.language.frames import Argument, VerbFrame
+from verbteach.language.looks import Looks
+from verbteach.language.refer import distinguish
 from verbteach.world.fluents import Literal, State
 from verbteach.world.plan import Action
 
 
 @dataclass(frozen=True)
 class Speech:
-    """Names things as they can be told apart in ``world``."""
+    """Names things as they can be told apart by their ``looks``."""
 
     setting: Setting
-    world: State
+    looks: Looks
 
     @classmethod
     def of(cls, setting: Setting, world: State) -> Speech:
         """The words for a setting as the world is now."""
-        return cls(setting, world)
+        return cls(setting, Looks(setting.scene, world, setting.lexicon))
 
     @property
     def place(self) -> str:
@@ -31,10 +34,8 @@ class Speech:
         return title[:1].lower() + title[1:]
 
     def thing(self, object_id: str) -> str:
-        """A thing, with its article."""
-        found = self.setting.scene.objects.get(object_id)
-        name = found.names[0] if found and found.names else object_id
-        return f"the {name}"
+        """A thing, with its article and as little else as singles it out."""
+        return self._named(object_id)
 
     def holds(self, literal: Literal) -> str:
         """As in: the pot is on the stove."""
@@ -74,6 +75,10 @@ class Speech:
     def gerund(self, frame: VerbFrame) -> str:
         """As in: boiling the water."""
         return " ".join([inflection.gerund(frame.verb), *map(_argument, frame.arguments)])
+
+    @cached_property
+    def _named(self) -> Callable[[str], str]:
+        return cache(lambda object_id: distinguish(object_id, self.looks))
 
     def _fluent(self, literal: Literal, positive: str, negative: str) -> str:
         wording = self.setting.lexicon.fluents.get(literal.fluent.predicate)
