@@ -106,7 +106,9 @@ class LogReader:
         except lines.ChangedLineError as error:
             self._refuse(DamagedLogError, str(error), self._restore())
         except lines.LineError as error:
-            self._refuse(LogError, str(error), self._restore())
+            # After a first line that was whole this is a log, and every line of it was whole once.
+            kind = DamagedLogError if self.position.seq else LogError
+            self._refuse(kind, str(error), self._restore())
         self._check_chain(event, prev)
         seq, _, size = self.before_last = self.position
         self.position = Position(seq + 1, sha256(raw).hexdigest(), size + len(raw))

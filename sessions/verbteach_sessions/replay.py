@@ -89,10 +89,10 @@ def replay(path: Path, settings: Settings, to: int | None = None) -> Iterator[Fr
     reader = LogReader(path)
     past = Recomputing(settings)
     for event in reader:
-        if to is not None and event.seq > to:
-            return
         _take(reader, past, event)
         yield Frame(event, None if past.diverged else past.fold.state)
+        if event.seq == to:
+            return
 
 
 def _take(reader: LogReader, past: Recomputing, event: Event) -> None:

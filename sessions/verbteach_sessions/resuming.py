@@ -18,6 +18,7 @@ from verbteach_sessions.fold import Fold
 from verbteach_sessions.header import Machine
 from verbteach_sessions.header_file import header_fits, write_header
 from verbteach_sessions.lines import Event, canonical, digest
+from verbteach_sessions.method import knowledge_of
 from verbteach_sessions.recomputing import Difference, EventError, Recomputing
 from verbteach_sessions.recorder import Recorder
 
@@ -97,6 +98,8 @@ def _repair(
     recorder: Recorder, past: _Past, warnings: tuple[str, ...], machine: Machine
 ) -> tuple[str, ...]:
     history = past.fold.history
+    if past.difference is not None:
+        _check_rebuildable(recorder)
     if past.cut_short:
         recorder.log.take_back(recorder.log.before_last)
     said = [f"The record's {warning}." for warning in warnings]
@@ -151,6 +154,17 @@ def _rebuild(recorder: Recorder, difference: Difference) -> None:
         {"standing": node.seq, "scene": node.after["scene"], "difference": _short(difference)},
     )
     recorder.begin(root)
+
+
+def _check_rebuildable(recorder: Recorder) -> None:
+    """Raise what a rebuild would, before anything of it is written."""
+    history, header = recorder.fold.history, recorder.fold.header
+    scene = header.scene if history.current is None else history.current.after["scene"]
+    recorder.fold.settings(scene)
+    try:
+        knowledge_of([*header.learned_before, *history.records()])
+    except ValueError as error:
+        raise LogError(recorder.log.path, 0, f"what was learned cannot be read, {error}") from error
 
 
 def _short(difference: Difference) -> dict[str, object]:

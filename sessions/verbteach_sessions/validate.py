@@ -112,14 +112,16 @@ class _Walk:
         if event.type == HEADER and (problem := _wrong_header(event)):
             yield Finding("header", event.seq, problem)
             return
-        for rule, check in CHECKS.items():
-            yield from (
-                Finding(rule, event.seq, problem) for problem in check(event, self._history)
-            )
+        found = [
+            Finding(rule, event.seq, problem)
+            for rule, check in CHECKS.items()
+            for problem in check(event, self._history)
+        ]
         try:
             self._history.take(event)
-        except OrderError as error:
-            yield Finding("order", event.seq, str(error))
+        except OrderError as error:  # what the others say of such an event means nothing
+            found = [Finding("order", event.seq, str(error))]
+        yield from found
 
 
 _BASIC = frozenset({"schema", "header", "order"})

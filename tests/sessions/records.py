@@ -32,7 +32,7 @@ def write_events(session: Path, events: Sequence[dict[str, Any]]) -> None:
     (session / LOG_NAME).write_bytes(b"".join(lines))
 
 
-def forge(session: Path, change: Callable[[list[dict[str, Any]]], None]) -> None:
+def forge(session: Path, change: Callable[[list[dict[str, Any]]], object]) -> None:
     """Change the events of a record and make its hashes hold again."""
     events = read_events(session)
     change(events)
