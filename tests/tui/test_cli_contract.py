@@ -1,0 +1,70 @@
+"""Names, options and JSON keys that others rely on: added to freely, never renamed.
+
+The table has the rows of the contract whose commands this version has; a
+command that comes later gets its row when it comes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import pytest
+import typer
+
+from verbteach_tui.commands.tree import build
+
+OPTIONS: Mapping[str, str] = {
+    "teach": "--scene --teacher --lessons --plain --noise --noise-reading --policy --from"
+    " --participant --seed --sessions --resume --json",
+    "replay": "--verify --to --speed --plain --json",
+    "sessions list": "--json",
+    "sessions show": "--json",
+    "sessions validate": "--json",
+    "evaluate": "--policy --noise --noise-reading --grounding --from --data --test-data --runs"
+    " --criterion --objects --json",
+    "benchmark check": "--json",
+    "scenes list": "--scenes --json",
+    "scenes show": "--scenes --json",
+    "scenes check": "--scenes --json",
+    "lessons list": "--lessons --json",
+    "lessons check": "--lessons --json",
+    "parse": "--scene --json",
+    "bench": "--peers --json",
+    "doctor": "--json",
+}
+
+
+def commands() -> Iterator[tuple[str, Any]]:
+    """Every command that does something, by its words after ``verbteach``."""
+
+    def below(group: Any, path: tuple[str, ...]) -> Iterator[tuple[str, Any]]:
+        for name, command in group.commands.items():
+            if hasattr(command, "commands"):
+                yield from below(command, (*path, name))
+            else:
+                yield " ".join((*path, name)), command
+
+    return below(typer.main.get_command(build()), ())
+
+
+def options_of(command: Any) -> set[str]:
+    """All spellings of a command's options."""
+    return {spelling for parameter in command.params for spelling in parameter.opts}
+
+
+@pytest.mark.parametrize("name", OPTIONS)
+def test_the_command_is_there_with_its_options(name: str) -> None:
+    command = dict(commands())[name]
+    assert set(OPTIONS[name].split()) <= options_of(command)
+
+
+def test_every_command_has_a_row() -> None:
+    assert {name for name, _ in commands()} == set(OPTIONS)
+
+
+@pytest.mark.parametrize("name", OPTIONS)
+def test_every_option_says_what_it_does(name: str) -> None:
+    for parameter in dict(commands())[name].params:
+        if parameter.opts[0].startswith("--"):
+            assert parameter.help, (name, parameter.opts)
