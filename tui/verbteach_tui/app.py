@@ -1,14 +1,165 @@
-"""The full-screen app: starts it, and holds what all its screens share."""
+"""The full-screen app: starts it, opens sessions, and holds what all its screens share."""
 
 from __future__ import annotations
 
-from verbteach_tui.options import AppOptions
+from collections.abc import Iterable
+from functools import partial
+from typing import ClassVar
+
+from textual.app import App, SystemCommand
+from textual.binding import Binding, BindingType
+from textual.screen import Screen
+
+from verbteach.world.scene import Scene
+from verbteach_tui.help_text import help_about, keys_of
+from verbteach_tui.messages import SessionLeft, SessionOpened, WorkFailed
+from verbteach_tui.options import AppOptions, OpenHome, OpenNew, OpenSession
+from verbteach_tui.screens.failure import NOT_OPENED, FailureScreen
+from verbteach_tui.screens.help import HelpScreen
+from verbteach_tui.screens.home import HomeScreen
+from verbteach_tui.screens.opening import OpeningScreen
+from verbteach_tui.screens.teach import TeachScreen
+from verbteach_tui.teaching import Teaching
+from verbteach_tui.themes import DEFAULT, THEMES, VARIABLES
 
 
 def run_app(options: AppOptions) -> int:
     """Run the app until the person leaves it; answers the exit status.
 
     Sessions that it opened are closed when it returns. Needs a terminal: the
-    caller has made sure that standard input and output are one.
+    caller has made sure that standard input and output are one. Where the
+    session that it should start with cannot be opened, it raises what
+    ``create`` or ``resume`` raised.
     """
-    raise NotImplementedError(options)
+    app = VerbteachApp(options)
+    try:
+        app.run()
+    finally:
+        app.close_sessions()
+    if app.failure is not None:
+        raise app.failure
+    return app.return_code or 0
+
+
+class VerbteachApp(App[None]):
+    """The teaching room and its way in."""
+
+    TITLE = "verbteach"
+    CSS_PATH = "app.tcss"
+    COMMAND_PALETTE_BINDING = "ctrl+p"
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("f1", "help", "Help", priority=True),
+        Binding("ctrl+p", "command_palette", "Palette", priority=True),
+        Binding("ctrl+q", "quit", "Quit", show=False, priority=True),
+    ]
+
+    def __init__(self, options: AppOptions) -> None:
+        super().__init__()
+        self.options = options
+        self.failure: Exception | None = None
+        self._open: list[Teaching] = []
+        stock = list(self.available_themes)
+        for theme in THEMES:
+            self.register_theme(theme)
+        self.theme = options.theme if options.theme in self.available_themes else DEFAULT
+        for name in stock:
+            if name not in {theme.name for theme in THEMES}:
+                self.unregister_theme(name)
+
+    def get_theme_variable_defaults(self) -> dict[str, str]:
+        """The app's own colours, for a theme that does not name them."""
+        return VARIABLES
+
+    def on_mount(self) -> None:
+        """Home, or straight into a session."""
+        opening = self.options.opening
+        if isinstance(opening, OpenHome):
+            self.push_screen(HomeScreen(self.options.scenes, self.load, self.options.sessions))
+        else:
+            self.open_session(opening)
+
+    def load(self, scene: str) -> Scene:
+        """A scene to look at. Runs in a worker thread, and may raise."""
+        if self.options.load is not None:
+            return self.options.load(scene)
+        return self.options.settings(scene).scene
+
+    # ---- sessions
+
+    def on_home_screen_wanted(self, message: HomeScreen.Wanted) -> None:
+        """A session was chosen on the home screen."""
+        self.open_session(message.opening)
+
+    def open_session(self, opening: OpenNew | OpenSession) -> None:
+        """Open a session in a worker, and enter it when it is open."""
+        what = opening.scene if isinstance(opening, OpenNew) else opening.path.name
+        self.push_screen(OpeningScreen(what))
+        self.run_worker(partial(self._opened, opening), thread=True, exit_on_error=False)
+
+    def _opened(self, opening: OpenNew | OpenSession) -> None:
+        try:
+            if isinstance(opening, OpenNew):
+                session = self.options.create(opening.scene)
+            else:
+                session = self.options.resume(opening.path)
+            teaching = Teaching(session)
+        except Exception as error:
+            self.post_message(WorkFailed("opening the session", error))
+        else:
+            self._open.append(teaching)
+            self.post_message(SessionOpened(teaching))
+
+    def on_session_opened(self, message: SessionOpened) -> None:
+        """Enter the teaching room."""
+        room = TeachScreen(message.teaching, self.options.speed, self.options.scenes(), self.load)
+        self.switch_screen(room)
+
+    def on_work_failed(self, message: WorkFailed) -> None:
+        """No session was opened: say why, on the home screen or to whoever started the app."""
+        if isinstance(self.options.opening, OpenHome):
+            self.switch_screen(FailureScreen(message.doing, message.error, NOT_OPENED))
+        else:
+            self.failure = message.error
+            self.exit()
+
+    def on_session_left(self, message: SessionLeft) -> None:
+        """The person has left a session: home, or out where there is no home screen."""
+        self.run_worker(message.teaching.close, thread=True, exit_on_error=False)
+        if message.then is not None:
+            message.then()
+        elif isinstance(self.options.opening, OpenHome):
+            self.pop_screen()
+        else:
+            self.exit()
+
+    def close_sessions(self) -> None:
+        """Let go of every session that was opened."""
+        for teaching in self._open:
+            teaching.close()
+
+    async def action_quit(self) -> None:
+        """Leave the app; a session that is open records that the person left."""
+        for screen in self.screen_stack:
+            if isinstance(screen, TeachScreen) and screen.leave(self.exit):
+                return
+        self.exit()
+
+    # ---- help and palette
+
+    def action_help(self) -> None:
+        """Help about what has the focus."""
+        if isinstance(self.screen, HelpScreen):
+            self.screen.dismiss()
+        else:
+            self.push_screen(
+                HelpScreen(help_about(self.focused or self.screen), keys_of(self.screen))
+            )
+
+    def get_system_commands(self, screen: Screen[object]) -> Iterable[SystemCommand]:
+        """Every action there is at the moment, for the palette."""
+        if isinstance(screen, TeachScreen):
+            for title, about, action in screen.palette():
+                yield SystemCommand(title, about, action)
+        yield SystemCommand("Theme", "Other colours", self.action_change_theme)
+        yield SystemCommand("Help", "What has the keys, and which keys work", self.action_help)
+        yield SystemCommand("Quit", "Leave; a session can be gone on with", self.action_quit)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 if TYPE_CHECKING:
     from verbteach.dialogue.setting import Settings
+    from verbteach.world.scene import Scene
     from verbteach_sessions.session import Session
 
 
@@ -42,7 +43,8 @@ class AppOptions:
     the order to show. ``create`` begins a session in the scene of that id, with
     whatever noise, policy, seed, participant and earlier session the command
     line named; ``resume`` opens a session's folder. Both run in a worker thread
-    and may raise; the app then says why and goes on. ``sessions`` is the folder
+    and may raise; the app then says why and goes on. ``load`` opens a scene
+    only to look at it, where that is cheaper than ``settings``. ``sessions`` is the folder
     whose sessions the home screen offers. ``speed`` is in executed steps per
     second (0: all at once). ``theme`` is a theme's name, ``None`` the default.
     """
@@ -52,6 +54,7 @@ class AppOptions:
     create: Callable[[str], Session]
     resume: Callable[[Path], Session]
     sessions: Path
+    load: Callable[[str], Scene] | None = None
     opening: Opening = field(default_factory=OpenHome)
     speed: float = 2.0
     theme: str | None = None

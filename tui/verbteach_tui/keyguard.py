@@ -1,0 +1,40 @@
+"""Makes a wrong key cheap: key repeat answers once, and a typed word is not three answers.
+
+Knows times only as numbers handed to it, so that it can be tested without a clock.
+"""
+
+from __future__ import annotations
+
+DEBOUNCE = 0.3
+"""Seconds after an answer in which no other key answers."""
+
+SWALLOW = 0.6
+"""Seconds after any letter in which a further one counts as typing and is swallowed."""
+
+
+class KeyGuard:
+    """Decides, key by key, which count; times are in seconds of any steady clock."""
+
+    def __init__(self) -> None:
+        self._answered = float("-inf")
+        self._typed = float("-inf")
+        self.swallowed = 0
+
+    def typing(self, character: str, now: float) -> bool:
+        """Whether ``character`` is part of a word being typed, to be swallowed.
+
+        A swallowed one opens the window for the next, so that the rest of a
+        word is swallowed however long the word is.
+        """
+        going_on = now - self._typed < SWALLOW and not character.isdigit()
+        if character.isalpha() or going_on:
+            self._typed = now
+        self.swallowed = self.swallowed + 1 if going_on else 0
+        return going_on
+
+    def answers(self, now: float) -> bool:
+        """Whether an answer given ``now`` counts, and is not the last one's key repeating."""
+        if now - self._answered < DEBOUNCE:
+            return False
+        self._answered = now
+        return True

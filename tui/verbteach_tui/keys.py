@@ -1,0 +1,81 @@
+"""One key, no Enter: which key says which word, by what the robot waits for.
+
+A word is one of the teacher's script, so that a key, a typed word, a button and
+a script come to the same act. This table is the only place that knows the keys;
+the app's bar, the plain mode's short words and the help are made from it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from verbteach.dialogue.moves import Phase
+
+
+class Key(NamedTuple):
+    """A key as the teacher presses it, the word it says, and how the bar names it."""
+
+    key: str
+    word: str
+    label: str
+
+
+YES = Key("y", "yes", "yes")
+NO = Key("n", "no", "no")
+UNSURE = Key("?", "unsure", "don't know")
+SKIP = Key("s", "skip", "skip")
+SHOW = Key("t", "show", "let me show you")
+
+_QUESTION = (YES, NO, UNSURE, SKIP, SHOW)
+
+ANSWERS: Mapping[Phase, tuple[Key, ...]] = {
+    Phase.COMMAND: (),
+    Phase.EXECUTION: _QUESTION,
+    Phase.LEARNING: _QUESTION,
+    Phase.JUDGEMENT: (
+        Key("g", "good", "good"),
+        Key("b", "bad", "wrong"),
+        SHOW,
+        Key("s", "skip", "no verdict"),
+    ),
+    Phase.DEMONSTRATION: (Key("d", "done", "done"), Key("s", "skip", "not now")),
+    Phase.READ_BACK: (
+        Key("y", "good", "right"),
+        Key("n", "bad", "wrong"),
+        Key("t", "show", "show again"),
+        Key("s", "skip", "keep nothing"),
+    ),
+}
+"""What answers the robot, by phase, in the order of the bar."""
+
+ALSO: Mapping[Phase, tuple[Key, ...]] = {
+    Phase.JUDGEMENT: (Key("y", "good", "good"), Key("n", "bad", "wrong")),
+    Phase.READ_BACK: (Key("g", "good", "right"), Key("b", "bad", "wrong")),
+}
+"""Keys that mean the same as one of ``ANSWERS`` and need no place in the bar."""
+
+ANYTIME: tuple[Key, ...] = (
+    Key("w", "why", "why?"),
+    Key("r", "repeat", "repeat"),
+    Key("u", "undo", "undo"),
+    Key("U", "redo", "redo"),
+    Key("f", "flag", "flag"),
+    Key("m", "note", "note"),
+)
+"""What can be said whatever the robot waits for."""
+
+DIGITS = "123456789"
+
+
+def answer_keys(phase: Phase) -> tuple[Key, ...]:
+    """Every key that answers in ``phase``, those without a place in the bar last."""
+    return (*ANSWERS[phase], *ALSO.get(phase, ()))
+
+
+def word_of(key: str, phase: Phase) -> str | None:
+    """The word that ``key`` says while the robot waits for ``phase``; ``None`` if none."""
+    for entry in (*answer_keys(phase), *ANYTIME):
+        if entry.key == key:
+            return entry.word
+    return None

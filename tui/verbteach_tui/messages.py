@@ -1,0 +1,132 @@
+"""Everything that widgets and workers tell the screens, one small class a message."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from textual.message import Message
+
+if TYPE_CHECKING:
+    from textual.widget import Widget
+
+    from verbteach.world.fluents import Literal
+    from verbteach.world.plan import Action
+    from verbteach_tui.snapshot import Snapshot
+    from verbteach_tui.teaching import Teaching
+
+
+class TargetPicked(Message):
+    """Something drawn was clicked: an object's id, a node's, or what the widget named it."""
+
+    def __init__(self, sender: Widget, target: str) -> None:
+        super().__init__()
+        self.sender = sender
+        self.target = target
+
+    @property
+    def control(self) -> Widget:
+        """The widget that was clicked, for selectors."""
+        return self.sender
+
+
+class WordSaid(Message):
+    """The person chose a word of the script by key or click."""
+
+    def __init__(self, word: str, via: str) -> None:
+        super().__init__()
+        self.word = word
+        self.via = via
+
+
+class LineTyped(Message):
+    """The person typed a line and pressed Enter."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.text = text
+
+
+class LineTaken(Message):
+    """What was typed or pressed has become an act; it need not be kept in the line."""
+
+    def __init__(self, raw: str) -> None:
+        super().__init__()
+        self.raw = raw
+
+
+class StepChosen(Message):
+    """The person picked a whole action to demonstrate."""
+
+    def __init__(self, action: Action) -> None:
+        super().__init__()
+        self.action = action
+
+
+class PartToggled(Message):
+    """The person struck a part of the goal that was read back, or kept it after all."""
+
+    def __init__(self, literal: Literal, keep: bool) -> None:
+        super().__init__()
+        self.literal = literal
+        self.keep = keep
+
+
+class StepShown(Message):
+    """The execution being watched stands after so many steps; ``over``: all were shown."""
+
+    def __init__(self, at: int, over: bool) -> None:
+        super().__init__()
+        self.at = at
+        self.over = over
+
+
+class NodeChosen(Message):
+    """A hypothesis in the graph was chosen."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.name = name
+
+
+class SessionOpened(Message):
+    """A worker has opened a session."""
+
+    def __init__(self, teaching: Teaching) -> None:
+        super().__init__()
+        self.teaching = teaching
+
+
+class SessionLeft(Message):
+    """The person has left a session; ``then`` is what to do instead of going home."""
+
+    def __init__(self, teaching: Teaching, then: Callable[[], object] | None) -> None:
+        super().__init__()
+        self.teaching = teaching
+        self.then = then
+
+
+class TurnTaken(Message):
+    """A worker has done what the person said; ``played``: the turn's execution is to be watched."""
+
+    def __init__(self, snapshot: Snapshot, played: bool) -> None:
+        super().__init__()
+        self.snapshot = snapshot
+        self.played = played
+
+
+class Refused(Message):
+    """What the person said does not fit; nothing has changed."""
+
+    def __init__(self, reason: str) -> None:
+        super().__init__()
+        self.reason = reason
+
+
+class WorkFailed(Message):
+    """Something broke in a worker; the session is as it was before."""
+
+    def __init__(self, doing: str, error: Exception) -> None:
+        super().__init__()
+        self.doing = doing
+        self.error = error

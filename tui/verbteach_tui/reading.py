@@ -1,0 +1,74 @@
+"""A line that a person typed, read as an act by what the robot waits for.
+
+The app's input and the plain mode read with the same rules, so that the same
+words give the same record: the script's words and prefixes always count, a
+short key counts where the bar shows it, and what is left is a command, an
+action to demonstrate, or free text for the robot to make sense of.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from verbteach.dialogue import acts
+from verbteach.dialogue.moves import Phase
+from verbteach_sessions.script import PREFIXES, WORDS, ScriptAct, parse_line
+from verbteach_sessions.session_acts import Note
+from verbteach_tui.keys import ANYTIME, word_of
+from verbteach_tui.views.steps import StepMenu
+
+_ALWAYS = frozenset(key.word for key in ANYTIME) | {"quit"}
+_SHORT = frozenset(key.key for key in ANYTIME)
+_VERDICTS: Mapping[ScriptAct, ScriptAct] = {acts.Yes(): acts.Good(), acts.No(): acts.Bad()}
+
+
+@dataclass(frozen=True)
+class Reader:
+    """Reads lines in one situation.
+
+    ``choices`` are the objects that digits stand for; ``menu`` knows the actions
+    while something is demonstrated.
+    """
+
+    phase: Phase
+    choices: Mapping[str, str] = field(default_factory=dict)
+    menu: StepMenu | None = None
+
+    def read(self, line: str) -> ScriptAct | None:
+        """The act of ``line``; ``None`` where there is nothing in it.
+
+        Raises ``LineSyntaxError`` where a word of the script is used wrongly.
+        """
+        text = line.strip()
+        if not text:
+            return None
+        if self.phase is Phase.COMMAND:
+            return self._command(text)
+        if text in self.choices:
+            return acts.Point(self.choices[text])
+        act = self._demonstrated(text) or self._word(text) or parse_line(text) or acts.Say(text)
+        if self.phase in (Phase.JUDGEMENT, Phase.READ_BACK):
+            return _VERDICTS.get(act, act)
+        return act
+
+    def _command(self, text: str) -> ScriptAct | None:
+        """A word of the session, a line with a prefix, else a command to the letter."""
+        if text in _SHORT:
+            return self._word(text)
+        prefix, colon, _ = text.partition(":")
+        if text in _ALWAYS or (colon and prefix.strip() in PREFIXES):
+            return parse_line(text)
+        return acts.Command(text)
+
+    def _word(self, text: str) -> ScriptAct | None:
+        word = word_of(text, self.phase)
+        if word == Note.name:
+            return Note("")
+        return WORDS[word] if word else None
+
+    def _demonstrated(self, text: str) -> ScriptAct | None:
+        if self.phase is not Phase.DEMONSTRATION or self.menu is None:
+            return None
+        action = self.menu.find(text)
+        return acts.Do(action) if action else None

@@ -1,0 +1,346 @@
+"""The teaching room: the dialogue, the scene, the robot's mind and the line to type in."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import partial
+from typing import ClassVar
+
+from textual import events
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Container, Horizontal
+from textual.widgets import Input, Static
+
+from verbteach.dialogue import acts
+from verbteach.dialogue.moves import Phase
+from verbteach_sessions.script import parse_line, render
+from verbteach_sessions.session_acts import Note, Quit
+from verbteach_tui.keyguard import KeyGuard
+from verbteach_tui.keys import ANSWERS, ANYTIME, word_of
+from verbteach_tui.messages import (
+    LineTaken,
+    LineTyped,
+    PartToggled,
+    Refused,
+    SessionLeft,
+    StepChosen,
+    StepShown,
+    TargetPicked,
+    TurnTaken,
+    WordSaid,
+    WorkFailed,
+)
+from verbteach_tui.prompts import PROMPTS, bar_of
+from verbteach_tui.screens.failure import FailureScreen
+from verbteach_tui.screens.note import NoteScreen
+from verbteach_tui.screens.scenes import ScenePicker
+from verbteach_tui.screens.speaking import SpeakingScreen
+from verbteach_tui.screens.verbs import VerbsScreen
+from verbteach_tui.snapshot import Moment, Snapshot
+from verbteach_tui.teaching import Teaching
+from verbteach_tui.views.visible import visible
+from verbteach_tui.widgets.command_input import CommandInput
+from verbteach_tui.widgets.dialogue_view import DialogueView
+from verbteach_tui.widgets.execution_view import STEERING
+from verbteach_tui.widgets.foot import Foot
+from verbteach_tui.widgets.key_bar import KeyBar
+from verbteach_tui.widgets.mind_view import MindView
+from verbteach_tui.widgets.scene_chooser import LoadScene
+from verbteach_tui.widgets.scene_view import SceneView
+from verbteach_tui.widgets.stage import Stage
+from verbteach_tui.widgets.tab_strip import TabStrip
+from verbteach_tui.widgets.title_bar import TitleBar
+
+TABS = (("dialogue", "F2", "Dialogue"), ("scene", "F3", "Scene"), ("mind", "F4", "Mind"))
+
+
+class TeachScreen(SpeakingScreen):
+    """One session being taught in."""
+
+    HORIZONTAL_BREAKPOINTS = [  # noqa: RUF012 (the base class declares its type)
+        (0, "-narrow"),
+        (76, "-normal"),
+        (110, "-wide"),
+        (170, "-very-wide"),
+    ]
+    AUTO_FOCUS = None
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("f2", "tab('dialogue')", "Dialogue", show=False),
+        Binding("f3", "tab('scene')", "Scene", show=False),
+        Binding("f4", "tab('mind')", "Mind", show=False),
+        Binding("f5", "verbs", "Verbs"),
+        Binding("f6", "scenes", "Other scene"),
+        Binding("ctrl+z", "word('undo')", "Undo", priority=True),
+        Binding("ctrl+y", "word('redo')", "Redo", show=False, priority=True),
+        Binding("slash", "type", "Type", show=False),
+        Binding("f10", "leave", "Leave"),
+    ]
+
+    def __init__(
+        self, teaching: Teaching, speed: float, scenes: tuple[str, ...], load: LoadScene
+    ) -> None:
+        super().__init__(teaching)
+        self._speed, self._scenes, self._load = speed, scenes, load
+        self._after_leaving: Callable[[], object] | None = None
+        self._guard = KeyGuard()
+        self._phase = Phase.COMMAND
+
+    def compose(self) -> ComposeResult:
+        """Four panels, and below them what can be said."""
+        yield TitleBar(id="title")
+        yield TabStrip(id="tabs")
+        with Container(id="panels"):
+            yield DialogueView(id="dialogue")
+            yield SceneView(id="scene")
+            yield Stage(id="stage")
+            yield MindView(id="mind")
+        yield KeyBar(id="keys")
+        with Horizontal(id="entry"):
+            yield Static("You ›", id="sign")
+            yield CommandInput(id="line")
+        yield Foot()
+
+    def on_mount(self) -> None:
+        """Show the session as it is opened."""
+        self._choose_tab("dialogue")
+        self._show(self.snapshot, played=False)
+        for notice in self.teaching.notices:
+            self.notify(visible(notice), title="The record was repaired", markup=False, timeout=12)
+
+    # ---- showing
+
+    def _show(self, snapshot: Snapshot, played: bool) -> None:
+        self.query_one(DialogueView).show_lines(snapshot.lines)
+        self.query_one(MindView).show_mind(snapshot.mind)
+        self._show_title(snapshot)
+        on_stage = self.query_one(Stage).show_snapshot(snapshot, played, self._speed)
+        self.set_class(on_stage, "-staged")
+        if not played:
+            self._show_moment(snapshot.moment)
+        self._expect(snapshot)
+        self._choose_tab("scene" if played or snapshot.phase is Phase.DEMONSTRATION else "dialogue")
+        self.teaching.shown()
+
+    def _show_title(self, snapshot: Snapshot) -> None:
+        figures = snapshot.figures
+        self.query_one(TitleBar).show_title(
+            f"{snapshot.scene}",
+            (
+                f"verbs {figures.verbs}",
+                f"questions {figures.questions}",
+                f"commands {figures.episodes}, {figures.successes} done right",
+                f"reward {figures.reward:+g}",
+            ),
+        )
+
+    def _show_moment(self, moment: Moment) -> None:
+        snapshot = self.snapshot
+        picture = snapshot.depictor.picture(moment.state, moment.before)
+        self.query_one(SceneView).show_picture(picture, snapshot.emphasis, moment.news)
+
+    def _expect(self, snapshot: Snapshot) -> None:
+        """Put the keys where this kind of turn is answered."""
+        line = self.query_one(CommandInput)
+        line.expect(PROMPTS[snapshot.phase].placeholder, self._completion)
+        went_on = self._went_on_typing(snapshot)
+        if snapshot.phase is Phase.COMMAND:
+            line.focus()
+        elif not (line.has_focus and went_on):
+            self.set_focus(None)
+            self.query_one(Stage).take_focus()
+        self._show_keys()
+
+    def _went_on_typing(self, snapshot: Snapshot) -> bool:
+        """Whether one typed step of a demonstration follows another."""
+        was, self._phase = self._phase, snapshot.phase
+        return was is snapshot.phase is Phase.DEMONSTRATION
+
+    def _completion(self, text: str) -> str | None:
+        snapshot = self.snapshot
+        return snapshot.menu.complete(text) if snapshot.phase is Phase.DEMONSTRATION else None
+
+    def _show_keys(self) -> None:
+        watching = self.query_one(Stage).execution.running
+        self.query_one(KeyBar).show_keys(*bar_of(self.snapshot, self._typing, watching))
+
+    @property
+    def _typing(self) -> bool:
+        return isinstance(self.focused, Input)
+
+    # ---- saying
+
+    def on_key(self, event: events.Key) -> None:
+        """A single key answers, unless it is part of a word being typed."""
+        character = event.character
+        if self._typing or character is None or not event.is_printable:
+            return
+        now = event.time
+        if self._guard.typing(character, now):
+            event.stop()
+            event.prevent_default()
+            if self._guard.swallowed == 2:
+                self.notify("To answer in words, press Tab or / first.", timeout=3)
+        elif self._answers(character):
+            event.stop()
+            event.prevent_default()
+            if self._guard.answers(now):
+                self._say_key(character)
+
+    def _answers(self, character: str) -> bool:
+        snapshot = self.snapshot
+        return character in snapshot.choices or word_of(character, snapshot.phase) is not None
+
+    def _say_key(self, character: str) -> None:
+        thing = self.snapshot.choices.get(character)
+        if thing is not None:
+            self.say(acts.Point(thing), character, "key")
+        else:
+            self._say_word(word_of(character, self.snapshot.phase) or "", character, "key")
+
+    def _say_word(self, word: str, raw: str, via: str) -> None:
+        if word == Note.name:
+            self.app.push_screen(NoteScreen(), self._note)
+            return
+        act = parse_line(word)
+        if act is not None:
+            self.say(act, raw, via)
+
+    def _note(self, text: str | None) -> None:
+        if text and text.strip():
+            self.say(Note(text.strip()), text, "typed")
+
+    def on_word_said(self, message: WordSaid) -> None:
+        """A word was chosen by a key of a widget, or by a click."""
+        if message.via == "tab":
+            self._choose_tab(message.word)
+        elif message.word in STEERING:
+            self.query_one(Stage).execution.steer(message.word)
+        elif message.word == "leave":
+            self.set_focus(None)
+            self.query_one(Stage).take_focus()
+        else:
+            self._say_word(message.word, message.word, message.via)
+
+    def on_line_typed(self, message: LineTyped) -> None:
+        """A line was typed."""
+        self.say_line(message.text, "typed")
+
+    def on_step_chosen(self, message: StepChosen) -> None:
+        """An action was picked from the lists."""
+        act = acts.Do(message.action)
+        self.say(act, render(act), "picked")
+
+    def on_part_toggled(self, message: PartToggled) -> None:
+        """A part of the goal was struck or kept."""
+        act = acts.Keep(message.literal) if message.keep else acts.Strike(message.literal)
+        self.say(act, render(act), "key")
+
+    def on_target_picked(self, message: TargetPicked) -> None:
+        """An object was clicked in the scene or the mind, or a verb."""
+        message.stop()
+        if message.control.id == "mind" and "/" in message.target:
+            self.action_verbs(message.target)
+        elif self.snapshot.phase is Phase.DEMONSTRATION:
+            self.query_one(Stage).builder.offer(message.target)
+        elif isinstance(self.snapshot.waiting, acts.NpGrdWhq | acts.NpGrdYnq):
+            self.say(acts.Point(message.target), message.target, "mouse")
+
+    # ---- hearing
+
+    def on_line_taken(self, message: LineTaken) -> None:
+        """What was typed has become an act."""
+        self.query_one(CommandInput).taken(message.raw)
+
+    def on_turn_taken(self, message: TurnTaken) -> None:
+        """The robot has answered."""
+        self.settled()
+        if message.snapshot.ended:
+            self.post_message(SessionLeft(self.teaching, self._after_leaving))
+            return
+        self._show(message.snapshot, message.played)
+
+    def on_refused(self, message: Refused) -> None:
+        """What was said does not fit; nothing has changed."""
+        self.settled()
+        self.notify(visible(message.reason), severity="warning", markup=False, timeout=6)
+
+    def on_work_failed(self, message: WorkFailed) -> None:
+        """Something broke; say so and go on."""
+        self.settled()
+        self.app.push_screen(FailureScreen(message.doing, message.error))
+
+    def on_step_shown(self, message: StepShown) -> None:
+        """The execution being watched is one step on: the scene follows."""
+        moments = self.snapshot.moments
+        if self.snapshot.steps and message.at < len(moments):
+            self._show_moment(moments[message.at])
+        self._speed = self.query_one(Stage).execution.playback.speed
+        self._show_keys()
+
+    def on_descendant_focus(self) -> None:
+        """Other keys count now."""
+        self._show_keys()
+
+    def on_descendant_blur(self) -> None:
+        """Other keys count now."""
+        self._show_keys()
+
+    # ---- going about
+
+    def action_word(self, word: str) -> None:
+        """Say a word of the script."""
+        self._say_word(word, word, "key")
+
+    def action_type(self) -> None:
+        """Type an answer."""
+        self.query_one(CommandInput).focus()
+
+    def action_tab(self, name: str) -> None:
+        """Bring a panel into view; where all are, give it the keys."""
+        self._choose_tab(name)
+        self.query_one(f"#{name}").focus()
+
+    def action_verbs(self, frame: str = "") -> None:
+        """Look at the verbs the robot has learned."""
+        self.app.push_screen(VerbsScreen(self.snapshot, frame))
+
+    def action_scenes(self) -> None:
+        """Go to another scene."""
+        if self.snapshot.phase is not Phase.COMMAND:
+            self.notify("Finish this command first, or skip it; then choose another scene.")
+            return
+        self.app.push_screen(
+            ScenePicker(self._scenes, self._load, self.snapshot.scene), self._go_to
+        )
+
+    def _go_to(self, scene: str | None) -> None:
+        if scene:
+            self.say(acts.GoToScene(scene), f"scene: {scene}", "picked")
+
+    def action_leave(self) -> None:
+        """Leave the session; it can be gone on with at any time."""
+        self.leave(None)
+
+    def leave(self, then: Callable[[], object] | None) -> bool:
+        """Record that the person leaves, and do ``then``; False where the robot is thinking."""
+        if self.thinking:
+            return False
+        self._after_leaving = then
+        self.say(Quit(), "quit", "key")
+        return True
+
+    def palette(self) -> Iterable[tuple[str, str, Callable[[], object]]]:
+        """Every action of this screen with what it does, for the palette."""
+        for key in (*ANSWERS[self.snapshot.phase], *ANYTIME):
+            yield key.label.capitalize(), f"Say '{key.word}'", partial(self.action_word, key.word)
+        yield "Verbs", "The verbs the robot has learned", self.action_verbs
+        yield "Other scene", "Go to another scene", self.action_scenes
+        for word, _, title in TABS:
+            yield title, f"To the panel: {title.lower()}", partial(self.action_tab, word)
+        yield "Leave", "Leave the session, to go on later", self.action_leave
+
+    def _choose_tab(self, name: str) -> None:
+        for word, _, _ in TABS:
+            self.set_class(word == name, f"-tab-{word}")
+        self.query_one(TabStrip).show_tabs(TABS, name)

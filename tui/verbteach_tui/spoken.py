@@ -1,0 +1,60 @@
+"""The dialogue's lines as shown: the record's words, with actions and objects in the scene's."""
+
+from __future__ import annotations
+
+from verbteach.dialogue import acts
+from verbteach.world.fluents import FluentSyntaxError, Literal
+from verbteach.world.plan import Action
+from verbteach_sessions.session import Session
+from verbteach_sessions.transcript import ROBOT, TEACHER, Line
+from verbteach_tui.views.dialogue import DialogueLine
+from verbteach_tui.views.wording import Wording
+
+_TABLE = frozenset({acts.SelectHypo.name, acts.IncludeFluent.name})
+"""Acts of the paper's Table 2 that are no questions, whose names are shown all the same."""
+
+
+def lines_of(session: Session, wording: Wording) -> tuple[DialogueLine, ...]:
+    """What was said and still holds.
+
+    While something is shown, what the robot saw stands only after the last
+    step: it repeats the whole change so far each time.
+    """
+    lines = session.transcript()
+    last = max((line.seq for line in lines if line.speaker == ROBOT), default=0)
+    return tuple(
+        _line(line, wording)
+        for line in lines
+        if line.kind != acts.ObserveStep.name or line.seq == last
+    )
+
+
+def _line(line: Line, wording: Wording) -> DialogueLine:
+    if line.speaker == TEACHER:
+        return DialogueLine(line.speaker, in_words(line.kind, line.text, wording))
+    if line.speaker != ROBOT or (line.price is None and line.kind not in _TABLE):
+        return DialogueLine(line.speaker, line.text)
+    return DialogueLine(line.speaker, line.text, line.kind, price_text(line.price))
+
+
+def price_text(price: tuple[float, float] | None) -> str:
+    """As in: -1/-2: answered with yes and otherwise; one number where they are the same."""
+    if price is None:
+        return ""
+    return "/".join(f"{value:g}".replace("-", "−") for value in dict.fromkeys(price))
+
+
+def in_words(kind: str, text: str, wording: Wording) -> str:
+    """What the teacher did, as the scene names it: "go to the kettle" for "moveto Kettle_1"."""
+    try:
+        if kind == acts.Do.name:
+            return wording.action(Action.parse(text))
+        if kind == acts.Point.name:
+            return f"the {wording.labels[text]}"
+        if kind in (acts.Strike.name, acts.Keep.name):
+            return f"{kind}: {wording.holds(Literal.parse(text))}"
+    except (ValueError, FluentSyntaxError):
+        return text
+    if kind == acts.GoToScene.name:
+        return f"go to {text}"
+    return text

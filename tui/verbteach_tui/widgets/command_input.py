@@ -1,0 +1,83 @@
+"""The line the person types in: a history of what was said, and completion where there is any."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import ClassVar
+
+from textual.binding import Binding, BindingType
+from textual.suggester import Suggester
+from textual.widgets import Input
+
+from verbteach_tui.messages import LineTyped
+
+
+class CommandInput(Input):
+    """An input that keeps what was said before; Up and Down go through it."""
+
+    HELP = (
+        "Type here and press Enter. Up and Down bring back what you said before; the Right arrow "
+        "takes the completion shown in grey. Tab leaves the line, and single keys answer then."
+    )
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("up", "earlier", "Earlier", show=False),
+        Binding("down", "later", "Later", show=False),
+        Binding("escape", "leave", "Leave the line", show=False),
+    ]
+
+    def __init__(self, *, id: str | None = None) -> None:
+        self._completion = _Completion()
+        super().__init__(id=id, suggester=self._completion, select_on_focus=False)
+        self._said: list[str] = []
+        self._back = 0
+
+    def expect(self, placeholder: str, complete: Callable[[str], str | None]) -> None:
+        """Say what is wanted, and how it is completed."""
+        self.placeholder = placeholder
+        self._completion.complete = complete
+
+    def on_input_submitted(self, message: Input.Submitted) -> None:
+        """Hand the line on. It stays until it is taken, so that nothing typed is lost."""
+        message.stop()
+        if message.value.strip():
+            self.post_message(LineTyped(message.value))
+
+    def taken(self, text: str) -> None:
+        """The line was taken: remember it and make room for the next one."""
+        if not self._said or self._said[-1] != text:
+            self._said.append(text)
+        self._back = 0
+        if self.value == text:
+            self.clear()
+
+    def action_earlier(self) -> None:
+        """Bring back what was said before."""
+        self._recall(self._back + 1)
+
+    def action_later(self) -> None:
+        """Go forward again."""
+        self._recall(self._back - 1)
+
+    def action_leave(self) -> None:
+        """Leave the line as it is; single keys answer then."""
+        self.screen.set_focus(None)
+
+    def _recall(self, back: int) -> None:
+        if 0 < back <= len(self._said):
+            self._back = back
+            self.value = self._said[-back]
+            self.cursor_position = len(self.value)
+        elif back <= 0 and self._back:
+            self._back = 0
+            self.clear()
+
+
+class _Completion(Suggester):
+    """Asks whatever completes at the moment."""
+
+    def __init__(self) -> None:
+        super().__init__(use_cache=False, case_sensitive=True)
+        self.complete: Callable[[str], str | None] = lambda text: None
+
+    async def get_suggestion(self, value: str) -> str | None:
+        return self.complete(value)

@@ -1,0 +1,67 @@
+"""The scene: furniture, what is in and on it and how it is, with what just changed marked."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from textual import events
+
+from verbteach_tui.views.cards import Arrangement, Emphasis, arrange, picture_rows
+from verbteach_tui.views.picture import Picture
+from verbteach_tui.views.rows import Row, plain
+from verbteach_tui.widgets.rows_view import RowsView
+
+
+class SceneView(RowsView):
+    """A picture drawn in cards; clicking an object picks it."""
+
+    HELP = (
+        "The scene as it is. Each box is a piece of furniture with what is in and on it. ✱ marks "
+        "what the last step changed, [1] or ? what a question is about. Click an object to point "
+        "at it; hold the mouse over it to read its name in the record."
+    )
+    BORDER_TITLE = "Scene"
+
+    def __init__(self, *, id: str | None = None) -> None:
+        super().__init__(id=id)
+        self._picture: Picture | None = None
+        self._emphasis = Emphasis()
+        self._arrangements: dict[tuple[str, int], Arrangement] = {}
+
+    def show_picture(
+        self,
+        picture: Picture,
+        emphasis: Emphasis | None = None,
+        news: Sequence[str] = (),
+    ) -> None:
+        """Show ``picture``; ``news`` says in words what just changed."""
+        self._picture = picture
+        self._emphasis = emphasis or Emphasis()
+        self.border_title = picture.title
+        self.border_subtitle = f"✱ {'; '.join(news)}" if news else ""
+        self.show(self._drawn)
+        self._reveal_change()
+
+    def _drawn(self, width: int) -> Sequence[Row]:
+        if self._picture is None:
+            return ()
+        key = (self._picture.title, width)
+        if key not in self._arrangements:
+            self._arrangements[key] = arrange(self._picture, width)
+        return picture_rows(self._picture, width, self._arrangements[key], self._emphasis)
+
+    def _reveal_change(self) -> None:
+        marked = [i for i, row in enumerate(self.rows) if any(s.style == "new" for s in row)]
+        asked = [i for i, row in enumerate(self.rows) if any(s.style == "asked" for s in row)]
+        wanted = asked or marked
+        if wanted and self.size.height:
+            self.reveal(wanted[0], min(wanted[-1], wanted[0] + self.size.height - 1))
+
+    def on_mouse_move(self, event: events.MouseMove) -> None:
+        """Name the object under the mouse as the record names it."""
+        self.tooltip = self.target_at(event) or None
+
+    @property
+    def text(self) -> str:
+        """What is shown, without styles."""
+        return "\n".join(plain(row) for row in self.rows)
