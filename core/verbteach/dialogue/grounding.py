@@ -61,7 +61,7 @@ class GroundingBelief:
 
     def entropy(self, phrase: str) -> float:
         """Shannon entropy of the phrase's distribution in nats (Table 3)."""
-        return -math.fsum(p * math.log(p) for _, p in self[phrase] if p > 0)
+        return math.fsum(-p * math.log(p) for _, p in self[phrase] if p > 0) + 0.0
 
     def confirm(self, phrase: str, object_id: str) -> GroundingBelief:
         """The phrase means this object: its probability becomes 1 (section 4.3)."""

@@ -38,7 +38,7 @@ class Looks:
         return max(self._fits(self.objects[object_id], noun), default=0.0)
 
     def _fits(self, thing: SceneObject, noun: str) -> Iterator[float]:
-        names = [name.lower() for name in thing.names]
+        names = [_plain(name) for name in thing.names]
         if noun in {thing.id.lower(), *names[:1]}:
             yield FIRST_NAME
         if noun in names:
@@ -62,7 +62,7 @@ class Looks:
         word = _SAME_MARK.get(word, word)
         if word in {value.lower() for value in thing.attributes.values()}:
             return True
-        if any(word in name.lower().split() for name in thing.names):
+        if any(word in _plain(name).split() for name in thing.names):
             return True
         return word in self._now.get(object_id, ()) or self._holds_substance(object_id, word)
 
@@ -139,6 +139,11 @@ _SAME_MARK = {
     "right-hand": "right", "left-hand": "left", "upper": "top", "lower": "bottom", "shut": "closed",
 }  # fmt: skip
 _PLACES = ("on", "in", "next to")
+
+
+def _plain(name: str) -> str:
+    """A name as noun phrases have it: "child chair" for "child's chair"."""
+    return name.lower().replace("'s ", " ")
 
 
 def _complement(sentence: str) -> str:

@@ -39,6 +39,8 @@ def refer(
         latest = spoken if phrase.head in _PLURAL_POINTERS else spoken[-1:]
         return tuple((thing, FIRST_NAME) for thing in dict.fromkeys(latest))
     weights = {thing: _fit(thing, phrase, looks, spoken) for thing in looks.objects}
+    if not any(weights.values()) and spoken:
+        weights = {thing: _fit(thing, phrase, looks, ()) for thing in looks.objects}
     return _best(_sorted_out(weights, looks, role))
 
 
@@ -66,7 +68,7 @@ def _fit(thing: str, phrase: NounPhrase, looks: Looks, spoken: Sequence[str]) ->
     others = _OTHER & {*phrase.modifiers, phrase.determiner}
     fit = _noun_fit(thing, phrase.head, marks, looks)
     if phrase.head == "one" and spoken:
-        fit = _like_the_last(thing, marks, looks, spoken) if others else fit
+        fit = _like_the_last(thing, marks, looks, spoken)
     if not fit or (others and thing in spoken):
         return 0.0
     return fit if _stands_in_relations(thing, phrase, looks) else 0.0
@@ -142,8 +144,9 @@ def _alone(object_id: str, description: _Description, looks: Looks) -> bool:
 def _fits(
     other: str, marks: Sequence[str], name: str, place: tuple[str, str] | None, looks: Looks
 ) -> bool:
-    names = [known.lower() for known in looks.objects[other].names]
-    if name.lower() not in names or not all(looks.has_mark(other, mark) for mark in marks):
+    if name not in looks.objects[other].names or not all(
+        looks.has_mark(other, mark) for mark in marks
+    ):
         return False
     return place is None or looks.related(other, *place)
 
