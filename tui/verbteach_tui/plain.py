@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from typing import TYPE_CHECKING, TextIO
 
+from verbteach_tui.views.visible import visible
+
 if TYPE_CHECKING:
+    from prompt_toolkit import PromptSession
+
     from verbteach_sessions.session import Session
+    from verbteach_tui.plain_talk import Talk
+
+DONE, WRONG = 0, 2
 
 
 def run_plain(session: Session, input: TextIO | None = None, output: TextIO | None = None) -> int:
@@ -17,4 +27,86 @@ def run_plain(session: Session, input: TextIO | None = None, output: TextIO | No
     or pipe did not fit; at the keyboard such a line is explained and read again.
     The session is left open: the caller closes it and prints its summary.
     """
-    raise NotImplementedError
+    from verbteach_tui.plain_talk import Talk
+
+    talk, out = Talk(session), output or sys.stdout
+    _print(out, talk.opening())
+    if input is None and sys.stdin.isatty():
+        return _at_the_keyboard(talk, out)
+    return _from_lines(talk, out, input or _lenient(sys.stdin))
+
+
+def _from_lines(talk: Talk, out: TextIO, lines: Iterable[str]) -> int:
+    """Read lines to their end; the first one that does not fit is reported and ends it."""
+    from verbteach_tui.plain_talk import MisfitError
+
+    for number, line in enumerate(lines, 1):
+        text = line.strip()
+        if not text or text.startswith("#"):
+            continue
+        _print(out, [f"You: {visible(text)}"])
+        try:
+            _print(out, talk.hear(line, "pipe"))
+        except MisfitError as error:
+            reason = f"verbteach: line {number}: '{visible(text[:80])}': {visible(str(error))}"
+            print(reason, file=sys.stderr)
+            return WRONG
+        if talk.ended:
+            break
+    return DONE
+
+
+def _at_the_keyboard(talk: Talk, out: TextIO) -> int:
+    """Read the keyboard until the person leaves, by ``quit`` or Ctrl-D."""
+    from verbteach_sessions.session_acts import Quit
+    from verbteach_tui.plain_talk import MisfitError
+
+    _print(out, ["Note: type help for what you can say, look for what is in the room."])
+    ask = _prompt(talk, out)
+    while not talk.ended:
+        try:
+            _print(out, talk.hear(ask("You: "), "typed"))
+        except MisfitError as error:
+            _print(out, [f"Note: that does not fit: {visible(str(error))}"])
+        except KeyboardInterrupt:
+            _print(out, ["Note: type quit, or press Ctrl-D, to leave."])
+        except EOFError:
+            with suppress(MisfitError):
+                _print(out, talk.say(Quit(), "", "key"))
+            break
+    return DONE
+
+
+def _prompt(talk: Talk, out: TextIO) -> Callable[[str], str]:
+    """A line editor with a history; Tab lists completions below the line, as in a shell."""
+    from prompt_toolkit import PromptSession
+    from prompt_toolkit.completion import Completer, Completion
+    from prompt_toolkit.output import create_output
+    from prompt_toolkit.shortcuts import CompleteStyle
+
+    class Steps(Completer):
+        def get_completions(self, document: object, complete_event: object) -> Iterator[Completion]:
+            text: str = getattr(document, "text_before_cursor", "")
+            for found in talk.complete(text):
+                yield Completion(found, start_position=-len(text))
+
+    editor: PromptSession[str] = PromptSession(
+        completer=Steps(),
+        complete_while_typing=False,
+        complete_style=CompleteStyle.READLINE_LIKE,
+        output=create_output(stdout=out),
+    )
+    return editor.prompt
+
+
+def _print(out: TextIO, lines: Iterable[str]) -> None:
+    for line in lines:
+        print(line, file=out, flush=True)
+
+
+def _lenient(stream: TextIO) -> TextIO:
+    """Standard input that takes any bytes; what is no text comes out as a replacement sign."""
+    reconfigure = getattr(stream, "reconfigure", None)
+    if reconfigure is not None:
+        reconfigure(errors="replace")
+    return stream

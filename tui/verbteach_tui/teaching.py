@@ -8,20 +8,13 @@ from __future__ import annotations
 
 import threading
 
-from verbteach.dialogue.moves import IllegalMoveError
-from verbteach.dialogue.setting import UnknownObjectError, UnknownSceneError
 from verbteach_sessions.errors import CannotUndoError, SessionEndedError
+from verbteach_sessions.recorder import MISFITS
 from verbteach_sessions.script import ScriptAct
 from verbteach_sessions.session import Session
 from verbteach_tui.snapshot import Snapshot, take
 
-REFUSALS = (
-    IllegalMoveError,
-    UnknownObjectError,
-    UnknownSceneError,
-    CannotUndoError,
-    SessionEndedError,
-)
+REFUSALS = (*MISFITS, CannotUndoError, SessionEndedError)
 """What the person said does not fit; nothing has changed, and the reason is theirs to read."""
 
 

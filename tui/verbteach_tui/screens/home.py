@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from datetime import datetime
 from pathlib import Path
 from typing import ClassVar
 
@@ -16,11 +16,13 @@ from textual.screen import Screen
 from textual.widgets import OptionList, Static
 from textual.widgets.option_list import Option
 
+from verbteach_sessions.catalogue import Entry, list_sessions
 from verbteach_tui.options import OpenNew, OpenSession
-from verbteach_tui.recent import SessionRow, ago, recent_sessions
+from verbteach_tui.views.visible import visible
 from verbteach_tui.widgets.foot import Foot
 from verbteach_tui.widgets.scene_chooser import LoadScene, SceneChooser
 
+MOST = 60
 _WELCOME = "Teach a robot what verbs mean. Choose a room to begin, or go on with a session."
 
 
@@ -76,19 +78,15 @@ class HomeScreen(Screen[None]):
         self.run_worker(self._list_sessions, thread=True, exit_on_error=False, group="list")
 
     def _list_sessions(self) -> None:
-        rows = recent_sessions(self._sessions)
-        self.app.call_from_thread(self._show_sessions, rows)
+        entries = list_sessions(self._sessions)[:MOST]
+        self.app.call_from_thread(self._show_sessions, entries)
 
-    def _show_sessions(self, rows: tuple[SessionRow, ...]) -> None:
+    def _show_sessions(self, entries: Sequence[Entry]) -> None:
         sessions = self.query_one("#sessions", OptionList)
-        if rows:
-            now = time.time()
-            sessions.set_options(
-                Option(Content(f"{row.name}   {row.scene}   {ago(now - row.changed)}"),
-                       id=str(row.path)) for row in rows
-            )  # fmt: skip
+        if entries:
+            sessions.set_options(Option(_label(one), id=str(one.path)) for one in entries)
         else:
-            sessions.set_options([Option("None yet", disabled=True)])
+            sessions.set_options([Option("None yet: what you teach is kept here.", disabled=True)])
 
     def on_scene_chooser_chosen(self, message: SceneChooser.Chosen) -> None:
         """Begin in a scene."""
@@ -106,3 +104,20 @@ class HomeScreen(Screen[None]):
     def action_sessions(self) -> None:
         """To the sessions."""
         self.query_one("#sessions").focus()
+
+
+def _label(entry: Entry) -> Content:
+    """As in: 22 Nov 2026 03:12  kitchen-1  3 commands  boil, fill."""
+    when = _local_time(entry.created)
+    if entry.problem:
+        return Content(f"✗ {visible(entry.id)}  {visible(entry.problem)}")
+    commands = f"{entry.episodes} command{'s' * (entry.episodes != 1)}"
+    verbs = visible(", ".join(entry.verbs_learned)) or "no verb yet"
+    return Content(f"{when}  {visible(entry.scene):15} {commands:12}  {verbs}")
+
+
+def _local_time(created: str) -> str:
+    try:
+        return f"{datetime.fromisoformat(created).astimezone():%d %b %Y %H:%M}"
+    except ValueError:
+        return visible(created[:16])

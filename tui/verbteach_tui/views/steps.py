@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
+from itertools import islice
 from typing import NamedTuple
 
 from verbteach.world.fluents import State
@@ -68,13 +69,18 @@ class StepMenu:
 
     def complete(self, text: str) -> str | None:
         """The first action that begins with ``text``, the possible ones first; ``None`` if none."""
+        found = self._beginning(text)
+        first = next(found, None)
+        return text + first[len(text) :] if first else None
+
+    def completions(self, text: str, most: int = 40) -> list[str]:
+        """Actions that begin with ``text``, each in one way of writing it."""
+        return [text + typed[len(text) :] for typed in islice(self._beginning(text), most)]
+
+    def _beginning(self, text: str) -> Iterator[str]:
         start = text.casefold()
-        if not start.strip():
-            return None
-        for typed in self._typed:
-            if typed.casefold().startswith(start):
-                return text + typed[len(text) :]
-        return None
+        if start.strip():
+            yield from (typed for typed in self._typed if typed.casefold().startswith(start))
 
     @cached_property
     def _now(self) -> frozenset[Action]:

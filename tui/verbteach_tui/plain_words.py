@@ -1,0 +1,118 @@
+"""What the plain mode prints besides the dialogue: choices, the scene, the mind, help, in lines.
+
+Every line can stand alone, as a screen reader reads it: no boxes, no columns,
+no signs that only an eye understands.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from verbteach.dialogue.moves import Phase
+from verbteach_tui.keys import ANYTIME, answer_keys
+from verbteach_tui.snapshot import Snapshot
+from verbteach_tui.views.marks import Mark
+from verbteach_tui.views.picture import Picture, Thing
+from verbteach_tui.views.visible import visible
+
+LOCAL = {
+    "help": "what you can say now",
+    "look": "what is where in the scene",
+    "mind": "what the robot makes of it",
+    "verbs": "the verbs it has learned",
+    "steps": "the actions you can show, numbered",
+}
+"""Words that only the plain mode knows; they are not for the robot and leave no record."""
+
+_ASKS = {
+    Phase.COMMAND: "Say what the robot should do.",
+    Phase.EXECUTION: "Answer in words, or with one of these.",
+    Phase.LEARNING: "Answer in words, or with one of these.",
+    Phase.JUDGEMENT: "Say whether it was right, or stop: N if it should have stopped after a step.",
+    Phase.DEMONSTRATION: "Type a step, such as: go to the sink. Or type steps for numbered ones.",
+    Phase.READ_BACK: "Type the number of a part to strike it or keep it after all.",
+}
+
+
+def hint(snapshot: Snapshot) -> list[str]:
+    """The numbered choices of the moment."""
+    if snapshot.choices:
+        labels = snapshot.depictor.labels
+        return [f"{digit}. {labels[thing]}" for digit, thing in snapshot.choices.items()]
+    if snapshot.phase is Phase.READ_BACK:
+        return [
+            f"{number}. {part.must if part.kept else part.need_not}"
+            for number, part in enumerate(snapshot.parts, 1)
+        ]
+    return []
+
+
+def numbered(texts: Iterable[str]) -> list[str]:
+    """Texts with numbers from 1."""
+    return [f"{number}. {text}" for number, text in enumerate(texts, 1)]
+
+
+def help_lines(snapshot: Snapshot) -> list[str]:
+    """What can be said now, one thing to a line, with its short form."""
+    lines = [_ASKS[snapshot.phase]]
+    said: dict[str, list[str]] = {}
+    for key in answer_keys(snapshot.phase):
+        said.setdefault(key.word, []).append(key.key)
+    lines += [f"{word} or {' or '.join(keys)}" for word, keys in said.items()]
+    lines += [f"{key.word} or {key.key}: {key.label}" for key in ANYTIME if key.key != "m"]
+    lines += ["note: TEXT keeps a note beside the turn", "quit leaves; you can go on later"]
+    if snapshot.phase is Phase.COMMAND:
+        lines.append("scene: NAME goes to another scene")
+    return lines + [f"{word}: {about}" for word, about in LOCAL.items()]
+
+
+def look_lines(picture: Picture) -> list[str]:
+    """The scene, one piece of furniture to a line."""
+    lines = [f"{picture.title}."]
+    for agent in picture.agents:
+        if agent.holds:
+            lines.append(f"The {agent.label} holds {_listed(agent.holds)}.")
+    lines += [_told(place) for place in (*picture.places, *picture.others)]
+    return lines
+
+
+def mind_lines(snapshot: Snapshot) -> list[str]:
+    """What words may refer to and which goals the robot sees, with their shares."""
+    lines = []
+    for phrase in snapshot.mind.phrases:
+        shares = ", ".join(f"{share.label} {share.share:.0%}" for share in phrase.shares[:5])
+        lines.append(f'"{visible(phrase.phrase)}" may be: {shares or "nothing here"}')
+    for goal in snapshot.mind.goals[:5]:
+        lines.append(f"{goal.share:.0%} sure that the goal is: {'; '.join(goal.conditions)}")
+    return lines or ["The robot has nothing in mind: it waits for a command."]
+
+
+def verb_lines(snapshot: Snapshot) -> list[str]:
+    """The verbs and what each means most likely."""
+    lines = [
+        f"{verb.title}: {'; '.join(verb.meaning)} ({verb.hypotheses} hypotheses)"
+        for verb in snapshot.mind.verbs
+    ]
+    return lines or ["The robot knows no verb yet."]
+
+
+def _told(place: Thing) -> str:
+    text = f"{place.label}{_conditions(place.marks)}"
+    groups: dict[str, list[Thing]] = {}
+    for thing in place.contents:
+        groups.setdefault("with" if thing.part else thing.relation, []).append(thing)
+    held = [f"{relation} it {_listed(things)}" for relation, things in groups.items()]
+    return f"{text}: {'; '.join(held)}." if held else f"{text}."
+
+
+def _listed(things: Sequence[Thing]) -> str:
+    return ", ".join(_inline(thing) for thing in things)
+
+
+def _inline(thing: Thing) -> str:
+    inside = f" with {_listed(thing.contents)}" if thing.contents else ""
+    return f"{thing.label}{_conditions(thing.marks)}{inside}"
+
+
+def _conditions(marks: Sequence[Mark]) -> str:
+    return f" ({', '.join(mark.word for mark in marks)})" if marks else ""
