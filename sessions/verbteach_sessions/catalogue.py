@@ -118,7 +118,10 @@ def _data_folder() -> Path:
 
 
 def _header(log: BinaryIO) -> Mapping[str, Any]:
-    event = _event(log.readline(MAX_LINE))
+    first = log.readline(MAX_LINE)
+    if not first:
+        raise LineError("nothing was said in this session")
+    event = _event(first)
     if event.get("type") != kinds.HEADER:
         raise LineError("its first line is no header")
     return _object(event.get("data"))

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from verbteach.dialogue.codec import ActFormatError, teacher_act_from_json
 from verbteach.dialogue.setting import Settings, UnknownSceneError
 from verbteach_sessions import events as kinds
 from verbteach_sessions.events import EVENT_TYPES
@@ -103,13 +104,18 @@ class Recomputing:
 
 
 def check_fields(event: Event) -> None:
-    """Raise :class:`EventError` unless the event's type is known and its fields are as they say."""
+    """Raise :class:`EventError` unless the event's type is known and its fields can be read."""
     kind = EVENT_TYPES.get(event.type)
     if kind is None:
         raise EventError(f"there is no event type {event.type!r}")
     problem = next(wrong_fields(kind, event.data), None)
     if problem is not None:
         raise EventError(f"{event.type}{problem}")
+    if event.type == kinds.TEACHER:
+        try:
+            teacher_act_from_json(event.data["act"])
+        except ActFormatError as error:
+            raise EventError(f"teacher.act: {error}") from error
 
 
 def first_difference(recorded: Any, recomputed: Any, path: str) -> tuple[str, Any, Any] | None:

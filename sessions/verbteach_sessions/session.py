@@ -6,8 +6,10 @@ the disk before the robot thinks about it, the robot's reply before it is shown.
 
 from __future__ import annotations
 
+import shutil
 import time
 from collections.abc import Callable, Mapping
+from contextlib import ExitStack
 from pathlib import Path
 from types import TracebackType
 from typing import Any
@@ -60,15 +62,15 @@ class Session:
         opened = clock()
         path = folder / header.id
         make_private_folder(path)
-        log = EventLog.create(path)
-        recorder = Recorder(log, Fold(settings), lambda: round(clock() - opened, 4))
-        try:
+        with ExitStack() as undoing:  # nobody has seen the session before it is returned
+            undoing.callback(shutil.rmtree, path, ignore_errors=True)
+            log = EventLog.create(path)
+            undoing.callback(log.close)
+            recorder = Recorder(log, Fold(settings), lambda: round(clock() - opened, 4))
             first = recorder.add(kinds.HEADER, header.to_json(), 0.0)
             write_header(path, first)
             recorder.begin(first)
-        except BaseException:
-            log.close()
-            raise
+            undoing.pop_all()
         return cls(recorder)
 
     @classmethod

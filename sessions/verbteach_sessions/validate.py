@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -21,8 +21,15 @@ from verbteach_sessions.shapes import depth, wrong_fields
 
 MAX_DEPTH = 32
 
-# What each rule asks; the checks of single events add theirs.
-RULES = ("file", "hash", "schema", "header", "order", *CHECKS, "replay")
+RULES: Mapping[str, str] = {
+    "file": "The file is there, is a log of a version that can be read, and its lines are JSON.",
+    "hash": "No line was changed, lost or replaced after it was written.",
+    "schema": "Every event is of a known type and has its fields, each of its kind, not too deep.",
+    "header": "The header names a method that can be built, and names that are safe.",
+    "order": "Every event follows on those before it.",
+    **{name: check.__doc__ or "" for name, check in CHECKS.items()},
+    "replay": "Recomputing every reply gives what was recorded. Asked only if all else is sound.",
+}
 
 
 @dataclass(frozen=True)

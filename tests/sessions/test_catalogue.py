@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import os
+import subprocess
+import sys
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
@@ -74,7 +76,7 @@ def test_a_torn_last_line_does_not_hide_what_holds(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("content", "problem"),
     [
-        (b"", "is not JSON"),
+        (b"", "nothing was said"),
         (b"garbage\n", "is not JSON"),
         (b'{"v":9}\n', "version 9"),
         (b'{"v":1,"type":"note"}\n', "no header"),
@@ -126,6 +128,18 @@ def test_a_session_is_found_by_name_and_only_in_its_folder(tmp_path: Path) -> No
     (folder / "link").symlink_to(outside)
     with pytest.raises(UnsafeNameError, match="link"):
         find_session(folder, "link")
+
+
+def test_listing_loads_nothing_heavy() -> None:
+    program = (
+        "import sys; from verbteach_sessions import catalogue, script;"
+        "heavy = {'numpy', 'pddl', 'textual', 'platformdirs', 'asyncio', 'importlib.metadata'};"
+        "print(sorted(heavy & set(sys.modules)))"
+    )
+    run = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=True
+    )
+    assert run.stdout.strip() == "[]"
 
 
 def test_the_default_folder_can_be_named(monkeypatch: pytest.MonkeyPatch) -> None:

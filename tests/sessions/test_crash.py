@@ -207,6 +207,13 @@ def test_a_disk_that_fills_at_any_byte_of_a_turn_takes_nothing_of_it(tmp_path: P
             assert verify(copy, settings).verified
 
 
+def test_a_session_that_cannot_begin_leaves_nothing(tmp_path: Path) -> None:
+    for size in (0, 500, 5000):
+        with files_no_larger_than(size), pytest.raises(StorageError):
+            begin(tmp_path, study={"note": "x" * 5000})
+        assert list(tmp_path.iterdir()) == []
+
+
 def test_a_disk_that_breaks_between_act_and_reply_is_recovered_from(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

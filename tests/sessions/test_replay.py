@@ -213,6 +213,7 @@ def test_after_a_difference_the_record_is_shown_without_states(path: Path) -> No
     [
         (lambda e: e[2].__setitem__("type", "oracle"), "no event type 'oracle'"),
         (lambda e: e[2]["data"].__setitem__("act", "yes"), "teacher.act: is no object"),
+        (lambda e: e[2]["data"].__setitem__("act", {"act": "shrug"}), "unknown act 'shrug'"),
         (lambda e: e[3]["data"].__delitem__("texts"), "robot.texts: is missing"),
         (lambda e: e[3]["data"].__setitem__("mood", 1), "robot.mood: is unknown"),
         (lambda e: e[3]["data"].__setitem__("reply_to", 1), "does not reply to event 2"),

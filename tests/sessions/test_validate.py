@@ -134,7 +134,7 @@ def test_a_mutation_breaks_its_rule(path: Path, rule: str, change: Change) -> No
     assert {one.rule for one in validation.problems} == {rule}
     assert all(one.message for one in validation.problems)
     pairs = zip(before, read_events(path), strict=False)
-    place = next((n for n, (a, b) in enumerate(pairs) if a != b), 0)
+    place = next((n for n, (a, b) in enumerate(pairs) if a != b), len(before))
     named = validation.problems[0].seq
     assert named is None or place <= named <= place + 2
     assert json.loads(json.dumps(validation.to_json()))["valid"] is False

@@ -102,8 +102,18 @@ _FIELDS: Mapping[Any, tuple[Callable[[Any], Any], Callable[[Any], Any]]] = {
 }
 
 
+# Resolving a class's annotations takes longer than all the rest of a conversion.
+_HINTS: dict[type[object], dict[str, Any]] = {}
+
+
+def _hints(kind: type[object]) -> dict[str, Any]:
+    if kind not in _HINTS:
+        _HINTS[kind] = get_type_hints(kind)
+    return _HINTS[kind]
+
+
 def _encode(act: RobotAct | TeacherAct) -> dict[str, Any]:
-    hints = get_type_hints(type(act))
+    hints = _hints(type(act))
     encoded: dict[str, Any] = {"act": act.name}
     for field in fields(act):
         write, _ = _FIELDS[hints[field.name]]
@@ -117,7 +127,7 @@ def _decode(kinds: Mapping[str, type[_Act]], value: Any) -> _Act:
     kind = kinds.get(value["act"])
     if kind is None:
         raise ActFormatError(f"unknown act {value['act']!r}; known: {', '.join(kinds)}")
-    hints = get_type_hints(kind)
+    hints = _hints(kind)
     names = [field.name for field in fields(kind)]  # type: ignore[arg-type]
     if set(value) != {"act", *names}:
         raise ActFormatError(f"{value['act']} has the fields {names}, got {sorted(value)}")
