@@ -1,0 +1,104 @@
+"""From a typed text to lower-case tokens; knows letters and punctuation, no words' meanings."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+STOP = "."
+"""The token that every sentence-ending mark becomes."""
+COMMA = ","
+
+_TRANSLATED = str.maketrans(
+    {
+        "\N{RIGHT SINGLE QUOTATION MARK}": "'",
+        "\N{LEFT SINGLE QUOTATION MARK}": "'",
+        "`": "'",
+        "\N{EN DASH}": " ",
+        "\N{EM DASH}": ",",
+    }
+)
+_ESCAPE = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]")
+_TOKEN = re.compile(
+    r"[^\W\d_]+(?:[-'][^\W\d_]+)*|\d+(?:[.,:]\d+)*(?:st|nd|rd|th)?|[^\W_]+|[.!?;:,&+/()\n]|'"
+)
+_CONTRACTIONS = {
+    "can't": ("can", "not"),
+    "cannot": ("can", "not"),
+    "won't": ("will", "not"),
+    "shan't": ("shall", "not"),
+    "let's": ("let", "us"),
+    "gonna": ("going", "to"),
+    "wanna": ("want", "to"),
+    "gotta": ("got", "to"),
+    "gimme": ("give", "me"),
+    "lemme": ("let", "me"),
+    "dont": ("do", "not"),
+    "pls": ("please",),
+    "plz": ("please",),
+    "thx": ("thanks",),
+    "u": ("you",),
+    "w": ("with",),
+    "n": ("and",),
+    "'n'": ("and",),
+    "pick-up": ("pick", "up"),
+    "o'clock": ("oclock",),
+}
+_SUFFIXES = {
+    "n't": ("not",),
+    "'s": ("'s",),
+    "'re": ("are",),
+    "'d": ("would",),
+    "'ll": ("will",),
+    "'ve": ("have",),
+    "'m": ("am",),
+}
+_MARKS = {
+    ".": STOP,
+    "!": STOP,
+    "?": STOP,
+    ";": STOP,
+    ":": STOP,
+    "\n": STOP,
+    "(": COMMA,
+    ")": COMMA,
+    "&": "and",
+    "+": "and",
+    "/": "or",
+    ",": COMMA,
+}
+
+
+def tokenise(text: str) -> list[str]:
+    """Lower-case words, numbers, commas and stops; whatever else stands in ``text`` is dropped."""
+    tokens: list[str] = []
+    for match in _TOKEN.finditer(_normalised(text)):
+        tokens.extend(_split(match.group()))
+    return tokens
+
+
+def _normalised(text: str) -> str:
+    plain = unicodedata.normalize("NFKC", _ESCAPE.sub(" ", text)).translate(_TRANSLATED).lower()
+    return "".join(c if c == "\n" or c.isprintable() else " " for c in plain)
+
+
+def _split(token: str) -> tuple[str, ...]:
+    if token in _MARKS:
+        return (_MARKS[token],)
+    if token in _CONTRACTIONS:
+        return _CONTRACTIONS[token]
+    for suffix, words in _SUFFIXES.items():
+        if token.endswith(suffix) and len(token) > len(suffix):
+            return (token.removesuffix(suffix), *words)
+    return (token,)
+
+
+def sentences(tokens: list[str]) -> list[list[str]]:
+    """The tokens between stops, empty ones left out."""
+    parts: list[list[str]] = [[]]
+    for token in tokens:
+        if token == STOP:
+            parts.append([])
+        else:
+            parts[-1].append(token)
+    return [part for part in parts if part]
