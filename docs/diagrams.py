@@ -6,11 +6,13 @@ whether they are current. What a block shows is never edited by hand.
 
 from __future__ import annotations
 
+import itertools
 import re
 import sys
 import tomllib
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
+from typing import Any
 
 from verbteach.dialogue.moves import ROBOT_MOVES, TEACHER_MOVES, Phase
 from verbteach.dialogue.rewards import Rewards
@@ -28,17 +30,17 @@ def layers() -> str:
     return _mermaid("flowchart LR", [line for chain in chains for line in chain])
 
 
-def _chain(contract: Mapping[str, list[str]]) -> list[str]:
+def _chain(contract: Mapping[str, Any]) -> list[str]:
     rows = [re.split(r"\s*[:|]\s*", layer) for layer in contract["layers"]]
     lines = [f'    subgraph "{contract["name"].split(":")[0]}"', "        direction LR"]
     lines += [f"        {_node(module)}" for row in rows for module in row]
-    for above, below in zip(rows, rows[1:], strict=False):
+    for above, below in itertools.pairwise(rows):
         lines += [f"        {_id(a)} --> {_id(b)}" for a in above for b in below]
     return [*lines, "    end"]
 
 
 def _node(module: str) -> str:
-    return f'{_id(module)}["{module.split(".")[-1]}"]'
+    return f'{_id(module)}["{module.rsplit(".", maxsplit=1)[-1]}"]'
 
 
 def _id(module: str) -> str:
@@ -95,7 +97,7 @@ def _mermaid(kind: str, lines: list[str]) -> str:
     return "\n".join(("```mermaid", kind, *lines, "```"))
 
 
-def _table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+def _table(head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> str:
     lines = [head, ("---",) * len(head), *rows]
     return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 

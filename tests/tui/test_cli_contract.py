@@ -50,7 +50,8 @@ def commands() -> Iterator[tuple[str, Any]]:
 
 def options_of(command: Any) -> set[str]:
     """All spellings of a command's options."""
-    return {spelling for parameter in command.params for spelling in parameter.opts}
+    spellings = (spelling for parameter in command.params for spelling in parameter.opts)
+    return {spelling for spelling in spellings if spelling.startswith("-")}
 
 
 @pytest.mark.parametrize("name", OPTIONS)

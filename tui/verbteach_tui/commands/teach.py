@@ -22,7 +22,7 @@ from verbteach_tui.commands.parameters import (
     SessionsFolder,
 )
 from verbteach_tui.commands.streams import columns, emit, note, progress, tell
-from verbteach_tui.conclusion import DONE, INTERRUPTED, WrongUseError
+from verbteach_tui.conclusion import DONE, INTERRUPTED, WRONG_USE, WrongUseError
 from verbteach_tui.near import known
 from verbteach_tui.options import OpenHome, Opening, OpenNew, OpenSession
 from verbteach_tui.terminal import has_terminal
@@ -122,7 +122,8 @@ def teach(
         status = _scripted(beginning, teacher, scene, resume, ignore if as_json else tell)
     else:
         status = _plain(beginning, scene, resume, sys.stderr if as_json else sys.stdout)
-    _conclude(beginning, as_json)
+    if status != WRONG_USE or not as_json:
+        _conclude(beginning, as_json)
     if status != DONE:
         raise typer.Exit(status)
 
