@@ -9,8 +9,10 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Literal as OneOf
+from typing import Protocol, TypeAlias
 
+from verbteach.world import compiled
 from verbteach.world.fluents import Goal, Literal, State
 from verbteach.world.plan import FailureReason, Plan, PlanFailure
 from verbteach.world.refinement import EncodedGoal, refined
@@ -56,6 +58,45 @@ class PlainEngine:
     def search(self, bits: int, goal: tuple[int, ...], limits: SearchLimits) -> Steps | Exhausted:
         """Return action numbers that lead from ``bits`` to the goal, or why there are none."""
         return search(self.task, self.relaxed, bits, goal, limits)
+
+
+class AutoEngine:
+    """The compiled search as soon as it is available, the plain one until then.
+
+    It never waits for a compiler: whoever has time to spare calls
+    ``compiled.warm_up``, as the command line does before long work and the
+    screen in the background.
+    """
+
+    def __init__(self, task: Task, relaxed: RelaxedTask) -> None:
+        self._plain = PlainEngine(task, relaxed)
+        self._compiled: compiled.CompiledEngine | None = None
+
+    def search(self, bits: int, goal: tuple[int, ...], limits: SearchLimits) -> Steps | Exhausted:
+        """Return action numbers that lead from ``bits`` to the goal, or why there are none."""
+        if self._compiled is None and compiled.available():
+            self._compiled = compiled.CompiledEngine(self._plain.task, self._plain.relaxed)
+        return (self._compiled or self._plain).search(bits, goal, limits)
+
+
+Path: TypeAlias = OneOf["auto", "plain", "compiled"]
+
+
+def make_planner(
+    task: Task, config: PlannerConfig = PlannerConfig(), path: Path = "auto"
+) -> SearchPlanner:
+    """Make a planner for the task, compiled where that is available.
+
+    ``compiled`` waits for the compiler, and raises ``RuntimeError`` where the
+    extra ``fast`` is not installed; ``plain`` never uses it. Plans are the same.
+    """
+    relaxed = RelaxedTask(task)
+    if path == "plain":
+        return SearchPlanner(task, config, PlainEngine(task, relaxed), relaxed)
+    if path == "compiled":
+        compiled.warm_up()
+        return SearchPlanner(task, config, compiled.CompiledEngine(task, relaxed), relaxed)
+    return SearchPlanner(task, config, AutoEngine(task, relaxed), relaxed)
 
 
 class SearchPlanner:

@@ -38,24 +38,23 @@ def without_needless(
     The first steps are tried first, again from the start after each success.
     """
     kept = list(plan)
-    position = 0
-    while position < len(kept):
-        shorter = _without(bits, kept, position, goal)
-        if shorter is None:
-            position += 1
+    before = [bits]
+    while len(before) <= len(kept):
+        position = len(before) - 1
+        rest = _without_first(before[position], kept[position:], goal)
+        if rest is None:
+            before.append(kept[position].result(before[position]))
         else:
-            kept, position = shorter, 0
+            kept, before = kept[:position] + rest, [bits]
     return kept
 
 
-def _without(
-    bits: int, plan: Sequence[GroundAction], position: int, goal: EncodedGoal
+def _without_first(
+    bits: int, steps: Sequence[GroundAction], goal: EncodedGoal
 ) -> list[GroundAction] | None:
-    """Leave out one step and what can then not be done; none where the goal is lost."""
-    kept = list(plan[:position])
-    for step in kept:
-        bits = step.result(bits)
-    for step in plan[position + 1 :]:
+    """Leave out the first step and what can then not be done; none where the goal is lost."""
+    kept = []
+    for step in steps[1:]:
         if step.applicable(bits):
             kept.append(step)
             bits = step.result(bits)
@@ -64,14 +63,14 @@ def _without(
 
 def _gathered(bits: int, plan: list[GroundAction], goal: EncodedGoal) -> list[GroundAction]:
     """Move each step that needs nothing from the plan to just before its first use, last first."""
+    links = _links(bits, plan)
     for position in range(len(plan) - 2, -1, -1):
-        links = _links(bits, plan)
         first = min((use for maker, use in links if maker == position), default=0)
         if first <= position + 1 or any(use == position for _, use in links):
             continue
         moved = [*plan[:position], *plan[position + 1 : first], plan[position], *plan[first:]]
         if _runs(bits, moved, goal):
-            plan = moved
+            plan, links = moved, _links(bits, moved)
     return plan
 
 
@@ -81,9 +80,9 @@ def _links(bits: int, plan: Sequence[GroundAction]) -> list[tuple[int, int]]:
     found: list[tuple[int, int]] = []
     for use, step in enumerate(plan):
         true, false = step.needs_true, step.needs_false
-        for when in step.conditional:
-            if bits & when.needs_true == when.needs_true and not bits & when.needs_false:
-                true, false = true | when.needs_true, false | when.needs_false
+        for needs_true, needs_false, _, _ in step.conditional:
+            if bits & needs_true == needs_true and not bits & needs_false:
+                true, false = true | needs_true, false | needs_false
         for maker in range(use - 1, -1, -1):
             came, went = made[maker]
             if true & came or false & went:

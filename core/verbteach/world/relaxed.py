@@ -89,7 +89,7 @@ class RelaxedTask:
             self.makes.append(self._numbers(*made))
 
     def _numbers(self, true: int, false: int) -> tuple[Proposition, ...]:
-        return (*_set_bits(true), *(self.size + i for i in _set_bits(false)))
+        return (*set_bits(true), *(self.size + i for i in set_bits(false)))
 
     def _padded_needs(self) -> npt.NDArray[np.intp]:
         """One column an operator, its needs filled up with a proposition that is always true."""
@@ -229,7 +229,8 @@ def _supporters(
     return None if left else best
 
 
-def _set_bits(bits: int) -> list[int]:
+def set_bits(bits: int) -> list[int]:
+    """Return the positions of the bits that are set, ascending."""
     found = []
     while bits:
         low = bits & -bits

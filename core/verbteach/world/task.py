@@ -46,10 +46,10 @@ class GroundAction:
     def changes(self, bits: int) -> tuple[int, int]:
         """Bits to set and bits to clear in the encoded state; no bit is in both."""
         add, delete = self.add, self.delete
-        for when in self.conditional:
-            if bits & when.needs_true == when.needs_true and not bits & when.needs_false:
-                add |= when.add
-                delete |= when.delete
+        for needs_true, needs_false, adds, deletes in self.conditional:
+            if bits & needs_true == needs_true and not bits & needs_false:
+                add |= adds
+                delete |= deletes
         return add, delete & ~add
 
     def result(self, bits: int) -> int:

@@ -1,0 +1,536 @@
+"""The search and its heuristic once more, over flat arrays, for numba to compile.
+
+Importing this module imports numba: only ``compiled`` does, when asked to. It
+mirrors ``search`` and ``relaxed`` step for step and breaks every tie alike,
+so the plans are the same; the tests hold the two against each other.
+
+Few arrays are passed around, because compiled code counts references to each
+of them at each call. A task is one array of numbers, see ``task_array``. A state
+is a row of 64-bit words. Marks hold the number of the round that made them,
+so that scratch arrays need no clearing between estimates.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from heapq import heappop, heappush
+from importlib import import_module
+from pathlib import Path
+from typing import Any, NamedTuple, TypeAlias, TypeVar, cast
+
+import numpy as np
+import numpy.typing as npt
+
+Ints: TypeAlias = npt.NDArray[np.int64]
+Words: TypeAlias = npt.NDArray[np.uint64]
+Bytes: TypeAlias = npt.NDArray[np.uint8]
+_F = TypeVar("_F", bound=Callable[..., Any])
+
+SOLVED, EXHAUSTED, BOUND = 0, 1, 2
+NEVER = 1 << 62
+"""More than any cost or key."""
+SHIFT = 24
+"""Bits of a key left to a state's or a proposition's number."""
+MASK = (1 << SHIFT) - 1
+ACTION = 20
+"""Bits of a key left to an action's number."""
+
+# Where the task's array says: how many fluents, operators, actions and links there are, and
+# where its tables start. By operator: needs, actor; by proposition: achievers; by action: needs
+# and effects; by effect: needs, fluents added and deleted.
+FLUENTS, OPERATORS, ACTIONS, LINKS = 0, 1, 2, 3
+NEEDS, ACTOR, ACHIEVERS, ACTION_NEEDS, EFFECTS, EFFECT_NEEDS, ADDS, DELETES = range(4, 12)
+HEADER = 12
+
+# Rows of the scratch arrays; the first ones, marks, start at zero.
+WANTED, STACKED, ASKED, EASY, USERS, COST, BEST = range(7)
+PROPOSITION_MARKS, PROPOSITION_ROWS = 3, 7
+ENTERED, COUNTED, FOLLOWED, TAKEN, UNMET, WAITING, SPENT, FEEDS, READY = range(9)
+OPERATOR_MARKS, OPERATOR_ROWS = 4, 9
+ITEM, NEXT = 0, 1
+ROUND, DEPTH, EDGES = 0, 1, 2
+
+
+class Scratch(NamedTuple):
+    """Working memory of the estimate; a linked list's head is 0 where the list is empty.
+
+    ``now`` counts rounds, what is on the stack, and edges in use; ``false`` is
+    1 for each proposition that is false in the state judged.
+    """
+
+    now: Ints
+    props: Ints
+    ops: Ints
+    edges: Ints
+    stack: Ints
+    false: Bytes
+
+
+class Seen(NamedTuple):
+    """The states judged: their rows, how each came about, its next child, and a hash table."""
+
+    rows: Words
+    parents: Ints
+    via: Ints
+    upcoming: Ints
+    table: Ints
+
+
+def task_array(counts: Sequence[int], tables: Sequence[Sequence[Sequence[int]]]) -> Ints:
+    """Lay out a task: a header, then for each table where its lists begin, then their items.
+
+    List ``i`` of table ``k`` is ``t[t[t[k] + i] : t[t[k] + i + 1]]``.
+    """
+    starts: list[int] = []
+    body: list[int] = []
+    for table in tables:
+        starts.append(HEADER + len(body))
+        position = HEADER + len(body) + len(table) + 1
+        for items in table:
+            body.append(position)
+            position += len(items)
+        body.append(position)
+        for items in table:
+            body.extend(items)
+    return np.array([*counts, *starts, *body], dtype=np.int64)
+
+
+_functions: list[Any] = []
+
+
+def _compiled(function: _F) -> _F:
+    """Compile on first use, from the disk where it was compiled before; frees the GIL."""
+    njit = import_module("numba").njit
+    try:
+        found = njit(cache=True, nogil=True)(function)
+    except RuntimeError:  # no folder to keep compiled code in
+        found = njit(nogil=True)(function)
+    _functions.append(found)
+    return cast(_F, found)
+
+
+def forget() -> None:
+    """Drop the compiled code on the disk: loading it fails where its index is torn or too old."""
+    for function in _functions:
+        folder = function.stats.cache_path
+        for index in Path(folder).glob(f"kernel.{function.__name__}-*.nbi") if folder else ():
+            index.unlink(missing_ok=True)
+
+
+@_compiled
+def _span(t: Ints, table: int, number: int) -> tuple[int, int]:
+    """Where a list of a table begins and ends."""
+    at = t[table] + number
+    return int(t[at]), int(t[at + 1])
+
+
+@_compiled
+def _unmet(t: Ints, s: Scratch, operator: int) -> int:
+    """How many needs of the operator are false."""
+    if s.ops[COUNTED, operator] != s.now[ROUND]:
+        s.ops[COUNTED, operator] = s.now[ROUND]
+        count = 0
+        first, last = _span(t, NEEDS, operator)
+        for i in range(first, last):
+            count += s.false[t[i]]
+        s.ops[UNMET, operator] = count
+    return int(s.ops[UNMET, operator])
+
+
+@_compiled
+def _is_easy(t: Ints, s: Scratch, proposition: int) -> bool:
+    """Whether an operator that can be done now makes the proposition true."""
+    if s.props[ASKED, proposition] != s.now[ROUND]:
+        s.props[ASKED, proposition] = s.now[ROUND]
+        s.props[EASY, proposition] = 0
+        first, last = _span(t, ACHIEVERS, proposition)
+        for i in range(first, last):
+            if _unmet(t, s, t[i]) == 0:
+                s.props[EASY, proposition] = 1
+                break
+    return bool(s.props[EASY, proposition] == 1)
+
+
+@_compiled
+def _is_easy_operator(t: Ints, s: Scratch, operator: int) -> bool:
+    """Whether everything the operator lacks can be made true at once."""
+    first, last = _span(t, NEEDS, operator)
+    for i in range(first, last):  # noqa: SIM110 - numba compiles a loop
+        if s.false[t[i]] and not _is_easy(t, s, t[i]):
+            return False
+    return True
+
+
+@_compiled
+def _most_unmet(t: Ints, s: Scratch, proposition: int) -> int:
+    """How much an achiever may lack and still be the cheapest."""
+    first, last = _span(t, ACHIEVERS, proposition)
+    most = 0
+    for i in range(first, last):
+        most = max(most, _unmet(t, s, t[i]))
+    if last - first < 2:
+        return most
+    for number in range(most + 1):
+        for i in range(first, last):
+            if s.ops[UNMET, t[i]] == number and _is_easy_operator(t, s, t[i]):
+                return number
+    return most
+
+
+@_compiled
+def _stack_need(s: Scratch, need: int) -> None:
+    """Put a proposition on the stack of those to be made true, once."""
+    if s.props[STACKED, need] != s.now[ROUND]:
+        s.props[STACKED, need] = s.now[ROUND]
+        s.props[USERS, need] = 0
+        s.props[COST, need] = NEVER
+        s.stack[s.now[DEPTH]] = need
+        s.now[DEPTH] += 1
+
+
+@_compiled
+def _link(s: Scratch, item: int, following: int) -> int:
+    """Make an edge in front of another one; return its number."""
+    s.now[EDGES] += 1
+    edge = int(s.now[EDGES])
+    s.edges[ITEM, edge] = item
+    s.edges[NEXT, edge] = following
+    return edge
+
+
+@_compiled
+def _enter(t: Ints, s: Scratch, operator: int, proposition: int) -> bool:
+    """Want an operator for a proposition; return whether it is new and lacks nothing."""
+    new = s.ops[ENTERED, operator] != s.now[ROUND]
+    if new:
+        s.ops[ENTERED, operator] = s.now[ROUND]
+        s.ops[FEEDS, operator] = 0
+        s.ops[WAITING, operator] = _unmet(t, s, operator)
+        s.ops[SPENT, operator] = 1
+        first, last = _span(t, NEEDS, operator)
+        for i in range(first, last):
+            if s.false[t[i]]:
+                _stack_need(s, t[i])
+                s.props[USERS, t[i]] = _link(s, operator, s.props[USERS, t[i]])
+    s.ops[FEEDS, operator] = _link(s, proposition, s.ops[FEEDS, operator])
+    return bool(new and s.ops[WAITING, operator] == 0)
+
+
+@_compiled
+def _gather(t: Ints, s: Scratch) -> int:
+    """Gather backwards what may make the stacked propositions true; return how many are ready."""
+    ready = 0
+    while s.now[DEPTH] > 0:
+        s.now[DEPTH] -= 1
+        proposition = s.stack[s.now[DEPTH]]
+        most = _most_unmet(t, s, proposition)
+        first, last = _span(t, ACHIEVERS, proposition)
+        for i in range(first, last):
+            operator = t[i]
+            if s.ops[UNMET, operator] > most:
+                continue
+            if _enter(t, s, operator, proposition):
+                s.ops[READY, ready] = operator
+                ready += 1
+            if most == 0 and last - first > 1:
+                break
+    return ready
+
+
+@_compiled
+def _offer(s: Scratch, heap: list[int], operator: int) -> None:
+    """Offer an operator, all it waited for being settled, to what it is wanted for."""
+    price = s.ops[SPENT, operator]
+    edge = s.ops[FEEDS, operator]
+    while edge:
+        proposition = s.edges[ITEM, edge]
+        edge = s.edges[NEXT, edge]
+        if price < s.props[COST, proposition]:
+            s.props[COST, proposition] = price
+            s.props[BEST, proposition] = operator
+            heappush(heap, (price << SHIFT) | proposition)
+        elif price == s.props[COST, proposition] and operator < s.props[BEST, proposition]:
+            s.props[BEST, proposition] = operator
+
+
+@_compiled
+def _settle(s: Scratch, ready: int, left: int) -> bool:
+    """Find the cheapest operators up to the wanted propositions; return whether all were met."""
+    heap = [NEVER]
+    heap.pop()
+    for i in range(ready):
+        _offer(s, heap, s.ops[READY, i])
+    while heap and left:
+        key = heappop(heap)
+        price, proposition = key >> SHIFT, key & MASK
+        if price > s.props[COST, proposition]:
+            continue
+        if s.props[WANTED, proposition] == s.now[ROUND]:
+            left -= 1
+        edge = s.props[USERS, proposition]
+        while edge:
+            operator = s.edges[ITEM, edge]
+            edge = s.edges[NEXT, edge]
+            s.ops[SPENT, operator] += price
+            s.ops[WAITING, operator] -= 1
+            if s.ops[WAITING, operator] == 0:
+                _offer(s, heap, operator)
+    return left == 0
+
+
+@_compiled
+def _follow(t: Ints, s: Scratch, depth: int, preferred: Ints) -> tuple[int, int]:
+    """Follow best supporters back from the stack: the number of actions, and of preferred ones."""
+    distance = 0
+    count = 0
+    while depth:
+        depth -= 1
+        operator = s.props[BEST, s.stack[depth]]
+        if s.ops[FOLLOWED, operator] == s.now[ROUND]:
+            continue
+        s.ops[FOLLOWED, operator] = s.now[ROUND]
+        action = t[_span(t, ACTOR, operator)[0]]
+        if s.ops[TAKEN, action] != s.now[ROUND]:
+            s.ops[TAKEN, action] = s.now[ROUND]
+            distance += 1
+        if s.ops[UNMET, operator] == 0:
+            preferred[count] = action
+            count += 1
+        first, last = _span(t, NEEDS, operator)
+        for i in range(first, last):
+            if s.false[t[i]]:
+                s.stack[depth] = t[i]
+                depth += 1
+    return distance, count
+
+
+@_compiled
+def _estimate(t: Ints, s: Scratch, goal: Ints, preferred: Ints) -> tuple[int, int]:
+    """Return distance and number of preferred actions, with repeats; distance -1: out of reach."""
+    s.now[ROUND] += 1
+    s.now[DEPTH] = 0
+    s.now[EDGES] = 0
+    for proposition in goal:
+        if s.false[proposition]:
+            _stack_need(s, proposition)
+            s.props[WANTED, proposition] = s.now[ROUND]
+    left = int(s.now[DEPTH])
+    if left == 0:
+        return 0, 0
+    if not _settle(s, _gather(t, s), left):
+        return -1, 0
+    depth = 0
+    for proposition in goal:
+        if s.false[proposition]:
+            s.stack[depth] = proposition
+            depth += 1
+    return _follow(t, s, depth, preferred)
+
+
+@_compiled
+def _scratch(t: Ints) -> Scratch:
+    fluents, links = t[FLUENTS], t[LINKS]
+    props = np.empty((PROPOSITION_ROWS, 2 * fluents), np.int64)
+    props[:PROPOSITION_MARKS] = 0
+    ops = np.empty((OPERATOR_ROWS, max(t[OPERATORS], t[ACTIONS])), np.int64)
+    ops[:OPERATOR_MARKS] = 0
+    edges = np.empty((2, links + 1), np.int64)
+    stack = np.empty(2 * fluents + links, np.int64)
+    return Scratch(np.zeros(3, np.int64), props, ops, edges, stack, np.empty(2 * fluents, np.uint8))
+
+
+@_compiled
+def _spell(fluents: int, row: Words, false: Bytes) -> None:
+    """Spell a state out: 1 for every proposition that is false in it."""
+    for i in range(fluents):
+        bit = (row[i >> 6] >> np.uint64(i & 63)) & np.uint64(1)
+        false[i] = np.uint8(1) - np.uint8(bit)
+        false[fluents + i] = np.uint8(bit)
+
+
+@_compiled
+def _all_hold(t: Ints, row: Words, table: int, number: int) -> bool:
+    """Whether every proposition of a list is true in a state."""
+    fluents = t[FLUENTS]
+    first, last = _span(t, table, number)
+    for i in range(first, last):
+        fluent = t[i] if t[i] < fluents else t[i] - fluents
+        bit = (row[fluent >> 6] >> np.uint64(fluent & 63)) & np.uint64(1)
+        if (bit == np.uint64(1)) != (t[i] < fluents):
+            return False
+    return True
+
+
+@_compiled
+def _apply(t: Ints, action: int, before: Words, after: Words) -> None:
+    """Write the state after an action; all deletes come before all adds."""
+    after[:] = before
+    first, last = _span(t, EFFECTS, action)
+    for adding in range(2):
+        for i in range(first, last):
+            if not _all_hold(t, before, EFFECT_NEEDS, t[i]):
+                continue
+            begin, end = _span(t, ADDS if adding else DELETES, t[i])
+            for j in range(begin, end):
+                bit = np.uint64(1) << np.uint64(t[j] & 63)
+                if adding:
+                    after[t[j] >> 6] |= bit
+                else:
+                    after[t[j] >> 6] &= ~bit
+
+
+@_compiled
+def _same(left: Words, right: Words) -> bool:
+    for i in range(len(left)):  # noqa: SIM110 - numba compiles a loop
+        if left[i] != right[i]:
+            return False
+    return True
+
+
+@_compiled
+def _place(table: Ints, rows: Words, row: Words) -> int:
+    """Where in the hash table the state stands, or would stand."""
+    mixed = np.uint64(14695981039346656037)
+    for word in row:
+        mixed = (mixed ^ word) * np.uint64(1099511628211)
+        mixed ^= mixed >> np.uint64(29)
+    place = np.int64(mixed & np.uint64(len(table) - 1))
+    while table[place] >= 0 and not _same(rows[table[place]], row):
+        place = np.int64((place + 1) & (len(table) - 1))
+    return int(place)
+
+
+@_compiled
+def _path(parents: Ints, via: Ints, state: int) -> Ints:
+    """Return the actions that led to a state."""
+    length = 0
+    at = state
+    while parents[at] >= 0:
+        at = parents[at]
+        length += 1
+    path = np.zeros(length, np.int64)
+    at = state
+    while parents[at] >= 0:
+        length -= 1
+        path[length] = via[at]
+        at = parents[at]
+    return path
+
+
+@_compiled
+def _grown(numbers: Ints) -> Ints:
+    """Twice the room, zeros at the end."""
+    grown = np.zeros(2 * len(numbers), np.int64)
+    grown[: len(numbers)] = numbers
+    return grown
+
+
+@_compiled
+def _seen(room: int, width: int) -> Seen:
+    rows = np.zeros((room, width), np.uint64)
+    parents, via, upcoming = (
+        np.zeros(room, np.int64),
+        np.zeros(room, np.int64),
+        np.zeros(room, np.int64),
+    )
+    return Seen(rows, parents, via, upcoming, np.full(4 * room, -1, np.int64))
+
+
+@_compiled
+def _with_room(seen: Seen, judged: int) -> Seen:
+    """Return the same with twice the room where there is none for one state more."""
+    room, width = seen.rows.shape
+    if judged < room - 1:
+        return seen
+    rows = np.zeros((2 * room, width), np.uint64)
+    rows[:room] = seen.rows
+    table = np.full(8 * room, -1, np.int64)
+    for i in range(judged):
+        table[_place(table, rows, rows[i])] = i
+    return Seen(rows, _grown(seen.parents), _grown(seen.via), _grown(seen.upcoming), table)
+
+
+@_compiled
+def _reach(t: Ints, seen: Seen, parent: int, action: int, judged: int) -> bool:
+    """Write a child where the next state is to stand; return whether it is a new one."""
+    child = seen.rows[judged]
+    _apply(t, action, seen.rows[parent], child)
+    return bool(seen.table[_place(seen.table, seen.rows, child)] < 0)
+
+
+@_compiled
+def _next_of(t: Ints, seen: Seen, parent: int, judged: int) -> int:
+    """Write the parent's next unseen child; return the action that leads there, or -1."""
+    while seen.upcoming[parent] < t[ACTIONS]:
+        action = int(seen.upcoming[parent])
+        seen.upcoming[parent] += 1
+        ready = _all_hold(t, seen.rows[parent], ACTION_NEEDS, action)
+        if ready and _reach(t, seen, parent, action, judged):
+            return action
+    return -1
+
+
+class Queues(NamedTuple):
+    """Children along preferred actions, all parents, and how often each queue was served."""
+
+    preferred: list[int]
+    every: list[int]
+    served: Ints
+
+
+@_compiled
+def _next_child(t: Ints, seen: Seen, queues: Queues, judged: int) -> tuple[int, int]:
+    """Write the next state to judge; return its parent and action, -1 where there is none."""
+    preferred, every, served = queues.preferred, queues.every, queues.served
+    while len(preferred) or len(every):
+        if len(preferred) and (not len(every) or served[0] <= served[1]):
+            key = heappop(preferred)
+            parent, action = (key >> ACTION) & MASK, key & ((1 << ACTION) - 1)
+            if _reach(t, seen, parent, action, judged):
+                served[0] += 1
+                return parent, action
+        else:
+            parent = every[0] & MASK
+            action = _next_of(t, seen, parent, judged)
+            if action >= 0:
+                served[1] += 1
+                return parent, action
+            heappop(every)
+    return -1, -1
+
+
+@_compiled
+def search(t: Ints, start: Words, goal: Ints, expansions: int, boost: int) -> tuple[int, Ints]:
+    """Search as ``search.search`` does; return how it ended and the actions found."""
+    scratch = _scratch(t)
+    seen = _seen(64, len(start))
+    seen.rows[0] = start
+    chosen = np.empty(t[OPERATORS], np.int64)
+    queues = Queues([NEVER], [NEVER], np.zeros(2, np.int64))
+    queues.preferred.pop()
+    queues.every.pop()
+    best, judged, parent, action = NEVER, 0, -1, -1
+    while True:
+        seen = _with_room(seen, judged)
+        seen.parents[judged], seen.via[judged] = parent, action
+        seen.table[_place(seen.table, seen.rows, seen.rows[judged])] = judged
+        _spell(t[FLUENTS], seen.rows[judged], scratch.false)
+        distance, count = _estimate(t, scratch, goal, chosen)
+        if distance == 0:
+            return SOLVED, _path(seen.parents, seen.via, judged)
+        if distance < 0 and judged == 0:
+            return EXHAUSTED, np.zeros(0, np.int64)
+        if distance > 0:
+            key = (distance << SHIFT) | judged
+            heappush(queues.every, key)
+            for i in range(count):
+                heappush(queues.preferred, (key << ACTION) | chosen[i])
+            if distance < best:
+                best = distance
+                queues.served[0] -= boost
+        judged += 1
+        if judged > expansions:
+            return BOUND, np.zeros(0, np.int64)
+        parent, action = _next_child(t, seen, queues, judged)
+        if parent < 0:
+            return EXHAUSTED, np.zeros(0, np.int64)
