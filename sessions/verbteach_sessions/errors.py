@@ -54,6 +54,10 @@ class StorageError(SessionError):
         super().__init__(f"{path}: cannot be written, {self.reason}")
 
 
+class TooLongError(SessionError):
+    """What was said, or the reply to it, is too long for a line of the record."""
+
+
 class NotASessionError(SessionError):
     """The path holds no session."""
 

@@ -19,6 +19,7 @@ from verbteach_sessions.errors import (
     NewerLogError,
     NotASessionError,
     StorageError,
+    TooLongError,
 )
 from verbteach_sessions.files import open_private, open_regular, sync_folder, write_all
 from verbteach_sessions.lines import GENESIS, MAX_LINE, Event
@@ -187,7 +188,7 @@ class EventLog:
     def append(self, drafts: Sequence[Draft]) -> tuple[Event, ...]:
         """Write the events in one go and wait until the disk has them.
 
-        Raises :class:`StorageError`, and then none of them is in the log.
+        Raises :class:`StorageError` and :class:`TooLongError`; then none is in the log.
         """
         if self._failure is not None:
             raise self._failure
@@ -195,6 +196,8 @@ class EventLog:
         for draft in drafts:
             event = Event(position.seq, draft.type, draft.at, draft.data)
             line = lines.encode(event, position.prev)
+            if len(line) > MAX_LINE:
+                raise TooLongError(f"this is too long to be kept, at most {MAX_LINE} bytes are")
             position = Position(
                 position.seq + 1, sha256(line).hexdigest(), position.size + len(line)
             )

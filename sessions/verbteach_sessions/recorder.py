@@ -9,7 +9,7 @@ from typing import Any
 from verbteach.dialogue.moves import IllegalMoveError
 from verbteach.dialogue.setting import UnknownObjectError, UnknownSceneError
 from verbteach_sessions import events as kinds
-from verbteach_sessions.errors import StorageError
+from verbteach_sessions.errors import StorageError, TooLongError
 from verbteach_sessions.eventlog import Draft, EventLog, Position
 from verbteach_sessions.fold import Fold, Reply
 from verbteach_sessions.lines import Event
@@ -39,15 +39,15 @@ class Recorder:
     def say(self, data: Mapping[str, Any], at: float) -> None:
         """Record the teacher's act, and then the robot's reply to it.
 
-        Raises what does not fit, and :class:`StorageError`; the log is then as
-        it was. A robot that fails otherwise leaves a ``fault`` event, since the
+        Raises what does not fit, :class:`StorageError` and :class:`TooLongError`;
+        the log is then as it was. A robot that fails otherwise leaves a ``fault`` event, since the
         act has been on the disk.
         """
         before = self.log.position
         (teacher,) = self.log.append([self._draft(kinds.TEACHER, data, at)])
         try:
             self._keep((teacher,), self.fold.reply(teacher))
-        except (*MISFITS, StorageError):
+        except (*MISFITS, StorageError, TooLongError):
             self._take_back(before)
             raise
         except Exception as error:

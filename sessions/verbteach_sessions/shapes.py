@@ -9,6 +9,9 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NamedTuple
 
+# No honest value comes near; more could exhaust the stack of whoever walks it.
+MAX_DEPTH = 32
+
 
 class Kind(NamedTuple):
     """A kind of value. ``problems`` yields what is wrong with one, each with a path into it."""
@@ -115,11 +118,18 @@ def _is_number(value: Any) -> bool:
     return type(value) is int or (type(value) is float and math.isfinite(value))
 
 
+def _object_problems(value: Any) -> Iterator[str]:
+    if type(value) is not dict:
+        yield ": is no object"
+    elif depth(value) > MAX_DEPTH:
+        yield f": is nested deeper than {MAX_DEPTH}"
+
+
 TEXT = _plain("text", lambda value: type(value) is str)
 INTEGER = _plain("integer", _is_integer)
 NUMBER = _plain("number", _is_number)
 FLAG = _plain("true or false", lambda value: type(value) is bool)
-OBJECT = _plain("object", lambda value: type(value) is dict)
+OBJECT = Kind("object", _object_problems)
 TEXTS = list_of(TEXT)
 
 

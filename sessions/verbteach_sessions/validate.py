@@ -17,9 +17,7 @@ from verbteach_sessions.header_file import header_fits
 from verbteach_sessions.history import History, OrderError
 from verbteach_sessions.lines import Event
 from verbteach_sessions.replay import verify
-from verbteach_sessions.shapes import depth, wrong_fields
-
-MAX_DEPTH = 32
+from verbteach_sessions.shapes import wrong_fields
 
 RULES: Mapping[str, str] = {
     "file": "The file is there, is a log of a version that can be read, and its lines are JSON.",
@@ -108,8 +106,6 @@ class _Walk:
             yield Finding("schema", event.seq, f"there is no event type {event.type!r}")
             return
         schema = [f"{event.type}{problem}" for problem in wrong_fields(shape, event.data)]
-        if not schema and depth(event.data) > MAX_DEPTH:
-            schema = [f"{event.type}: is nested deeper than {MAX_DEPTH}"]
         if schema:
             yield from (Finding("schema", event.seq, problem) for problem in schema)
             return

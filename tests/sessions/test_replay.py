@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from tests.sessions.records import first, forge, raw_lines, read_events
-from tests.sessions.rooms import BOIL, TAUGHT, recorded, settings
+from tests.sessions.rooms import BOIL, TAUGHT, recorded, resumed, settings
 from verbteach.dialogue.setting import Setting, UnknownSceneError
 from verbteach_sessions.errors import DamagedLogError, LogError, NewerLogError
 from verbteach_sessions.eventlog import LOG_NAME
@@ -230,6 +230,20 @@ def test_a_record_out_of_order_is_refused_with_its_line(
     with pytest.raises(LogError, match=reason) as refused:
         verify(path, settings)
     assert f"{LOG_NAME}, line" in str(refused.value)
+
+
+def test_nothing_nested_beyond_measure_is_walked(path: Path) -> None:
+    def bury(events: list[dict[str, Any]]) -> None:
+        study: dict[str, Any] = {}
+        for _ in range(500):
+            study = {"deeper": study}
+        events[0]["data"]["study"] = study
+
+    forge(path, bury)
+    with pytest.raises(LogError, match="study: is nested deeper"):
+        verify(path, settings)
+    with pytest.raises(LogError, match="study: is nested deeper"):
+        resumed(path)
 
 
 def test_a_session_verifies_from_any_folder(original: bytes, tmp_path: Path) -> None:

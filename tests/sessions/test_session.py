@@ -19,13 +19,15 @@ from verbteach.dialogue.setting import UnknownObjectError, UnknownSceneError
 from verbteach.dialogue.turn import RobotTurn
 from verbteach.perception.noise import NoiseModel
 from verbteach.world.fluents import Fluent, Literal
-from verbteach_sessions.errors import CannotUndoError, SessionEndedError
+from verbteach_sessions.errors import CannotUndoError, SessionEndedError, TooLongError
 from verbteach_sessions.eventlog import LOG_NAME
 from verbteach_sessions.header import Header
 from verbteach_sessions.header_file import HEADER_NAME
+from verbteach_sessions.lines import MAX_LINE
 from verbteach_sessions.method import Method
+from verbteach_sessions.replay import verify
 from verbteach_sessions.session import Session, summary
-from verbteach_sessions.session_acts import Flag, Redo, Repeat, Undo, Why
+from verbteach_sessions.session_acts import Flag, Note, Redo, Repeat, Undo, Why
 
 
 def kinds(session: Session) -> list[str]:
@@ -279,6 +281,40 @@ def test_with_noise_the_uncertain_fluents_are_recorded(tmp_path: Path) -> None:
     uncertain = events[-1]["data"]["beliefs"]["uncertain"]
     assert len(uncertain) > 10
     assert all(0 < p < 1 for _, p in uncertain)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        " ",
+        "x" * 10_000,
+        "\x1b[2J\x00\x07\r\n\u2028",
+        "[red]boil[/red] the water",
+        "hierve el agua, 沸騰させて, اغلي الماء",
+        "\udcff\ud800",
+        '{"v":1,"seq":0}\n',
+    ],
+)
+def test_whatever_is_typed_is_kept_to_the_letter(tmp_path: Path, text: str) -> None:
+    with begin(tmp_path) as session:
+        session.perform(acts.Command(text), raw=text)
+        session.perform(Note(text))
+        if session.turn.phase is not Phase.COMMAND:
+            session.perform(acts.Say(text), raw=text)
+    events = read_events(session.path)
+    assert first(events, "teacher")["data"]["act"]["text"] == text
+    assert first(events, "teacher")["data"]["raw"] == text
+    assert verify(session.path, settings).verified
+
+
+def test_what_is_too_long_for_a_line_is_refused_and_nothing_kept(tmp_path: Path) -> None:
+    with begin(tmp_path) as session:
+        lines = raw_lines(session.path)
+        for act in (Note("x" * MAX_LINE), acts.Command("boil" + " the water" * (MAX_LINE // 10))):
+            with pytest.raises(TooLongError, match="too long to be kept"):
+                session.perform(act)
+        assert raw_lines(session.path) == lines
 
 
 SAID = TAUGHT + "why\ngood\nnote: fine\nundo\nredo\n"
