@@ -79,11 +79,11 @@ class AutoEngine:
         return (self._compiled or self._plain).search(bits, goal, limits)
 
 
-Path: TypeAlias = OneOf["auto", "plain", "compiled"]
+PlannerPath: TypeAlias = OneOf["auto", "plain", "compiled"]
 
 
 def make_planner(
-    task: Task, config: PlannerConfig = PlannerConfig(), path: Path = "auto"
+    task: Task, config: PlannerConfig = PlannerConfig(), path: PlannerPath = "auto"
 ) -> SearchPlanner:
     """Make a planner for the task, compiled where that is available.
 
