@@ -7,7 +7,7 @@ from typing import Protocol
 
 from verbteach.dialogue.state import RobotState
 from verbteach.dialogue.turn import RobotTurn
-from verbteach_sessions.errors import CannotUndoError, ScriptError
+from verbteach_sessions.errors import CannotUndoError, ScriptError, TooLongError
 from verbteach_sessions.recorder import MISFITS
 from verbteach_sessions.script import LineSyntaxError, ScriptAct, parse_line
 from verbteach_sessions.session import Session
@@ -79,5 +79,5 @@ def _perform(session: Session, act: ScriptAct, teacher: Speaker, via: str) -> No
         return
     try:
         session.perform(act, raw=teacher.text, via="script")
-    except (*MISFITS, CannotUndoError) as error:
+    except (*MISFITS, CannotUndoError, TooLongError) as error:
         raise teacher.misfit(error) from error

@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.sessions.records import raw_lines, read_events
+from tests.sessions.records import first, forge, raw_lines, read_events
 from tests.sessions.rooms import BOIL, begin, recorded, resumed, say, settings
 from verbteach.dialogue import acts
 from verbteach_sessions.errors import NotASessionError, SessionInUseError, StorageError
@@ -77,6 +77,24 @@ def test_a_session_cut_short_has_the_hash_of_one_that_was_not(tmp_path: Path) ->
             assert session.recovered
             assert "not answered" in session.recovered[-1]
         (path / LOG_NAME).write_bytes(whole)
+
+
+def test_an_act_that_cannot_be_answered_after_a_crash_does_not_count(tmp_path: Path) -> None:
+    path = recorded(tmp_path, BOIL)
+
+    def misfit(events: list[dict[str, Any]]) -> None:
+        teacher = dict(first(events, "teacher", -1)["data"])
+        person = {**teacher, "reply_to": len(events) - 1, "act": {"act": "done"}}
+        events.append({"type": "teacher", "at": events[-1]["at"], "data": person})
+
+    forge(path, misfit)
+    for times in (1, 2):
+        with resumed(path) as session:
+            assert ("could not be answered" in " ".join(session.recovered)) == (times == 1)
+            assert session.robot.state.knowledge.verbs == ("boil",)
+            assert session.turn.phase.value == "command"
+    assert [event["type"] for event in read_events(path)][-3:] == ["resume", "fault", "resume"]
+    assert verify(path, settings).verified
 
 
 def test_the_header_file_is_made_again_from_the_log(tmp_path: Path) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -89,3 +91,27 @@ def test_lines_are_read_when_they_are_needed(tmp_path: Path) -> None:
     with begin(tmp_path) as session:
         drive(session, ScriptTeacher(pipe()))
     assert len(read) == 2
+
+
+HASHED = """
+import sys
+from pathlib import Path
+from tests.sessions.rooms import begin, say
+with begin(Path(sys.argv[1])) as session:
+    print(say(session, sys.argv[2]).content_hash)
+"""
+
+
+@pytest.mark.slow
+def test_the_order_of_hashing_does_not_reach_the_record(tmp_path: Path) -> None:
+    hashes = {
+        subprocess.run(
+            [sys.executable, "-c", HASHED, str(tmp_path), TAUGHT + "bad\nskip\nwhy\nundo\n"],
+            env={"PYTHONHASHSEED": seed},
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for seed in ("0", "1", "77")
+    }
+    assert len(hashes) == 1
