@@ -6,7 +6,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from verbteach.dialogue.setting import Setting, Settings
-from verbteach.world.planner import SearchPlanner
+from verbteach.world.planner import make_planner
 from verbteach.world.task import Task
 from verbteach_scenarios.lexicon_file import load_lexicon
 from verbteach_scenarios.scenes import load_scene
@@ -22,6 +22,6 @@ def make_settings(folder: Path | None = None) -> Settings:
     def setting(scene_id: str) -> Setting:
         scene = load_scene(scene_id, folder)
         task = Task.from_scene(scene)
-        return Setting(scene, task, SearchPlanner(task), load_lexicon(folder))
+        return Setting(scene, task, make_planner(task), load_lexicon(folder))
 
     return setting
