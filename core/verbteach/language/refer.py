@@ -1,47 +1,126 @@
-"""Referring expressions: which objects a noun phrase means, and how to single one out.
+"""Referring expressions: which objects a noun phrase means.
 
-Words are matched against names, attributes, states and relations. Nothing is
-guessed: a phrase may fit no object or several, and then the robot asks.
+Words are matched against ids, names, attributes, states, contents and
+relations. Nothing is guessed: a phrase may fit no object or several, and then
+the robot asks. The way back, from an object to words, is in ``distinguish``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from itertools import combinations
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import Enum
 from typing import TypeAlias
 
 from verbteach.language.frames import NounPhrase
 from verbteach.language.looks import FIRST_NAME, Looks
-from verbteach.language.words import ORDINALS
+from verbteach.language.words import NUMBERS, ORDINALS, POSSESSIVES
 
 Candidates: TypeAlias = tuple[tuple[str, float], ...]
 """Object ids with how well the phrase fits them, the best first, then by id."""
 
+
+class Verdict(Enum):
+    """What a phrase's candidates amount to."""
+
+    NONE = "none"
+    ONE = "one"
+    SEVERAL = "several"
+    UNCLEAR = "unclear"
+
+
+POSITIONS = frozenset({"left", "right", "top", "bottom", "front", "back", "middle"})
 _POINTERS = frozenset({"it", "this", "that"})
 _PLURAL_POINTERS = frozenset({"them", "these", "those"})
 _OTHER = frozenset({"other", "another"})
+_ALL = frozenset({"all", "both", "every", "each"})
 _NEAR_BEST = 0.3
 _SECOND_SENSE = 0.25
 _ABOUT_CONTENTS = frozenset({"with", "of"})
+_SIZES = {"tiny": 0, "small": 1, "medium": 2, "large": 3, "big": 3, "huge": 4}
+_SUPERLATIVES = {
+    "biggest": 1, "largest": 1, "tallest": 1, "smallest": -1, "littlest": -1, "shortest": -1,
+    "bigger": 1, "larger": 1, "smaller": -1,
+}  # fmt: skip
+_SPEAKERS = {"you": "robot", "i": "person"}
+_HOLDING = frozenset({"hold", "carry", "grasp", "have"})
+
+
+@dataclass(frozen=True)
+class _Said:
+    """A noun phrase sorted into what each of its words is good for."""
+
+    head: str
+    marks: tuple[str, ...]
+    number: str = ""
+    other: bool = False
+    ordinal: int | None = None
+    size: int = 0
+    holder: str = ""
+    relations: tuple[tuple[str, NounPhrase], ...] = ()
+
+    @classmethod
+    def of(cls, phrase: NounPhrase) -> _Said:
+        words = phrase.modifiers
+        placed = [inner.head for _, inner in phrase.relations if inner.head in POSITIONS]
+        digits = [w for w in words if w.isdecimal()]
+        return cls(
+            head=phrase.head,
+            marks=(*(w for w in words if _is_mark(w)), *placed),
+            number=digits[-1] if digits else "",
+            other=not _OTHER.isdisjoint({*words, *phrase.determiner.split()}),
+            ordinal=next((ORDINALS[w] for w in words if w in ORDINALS), None),
+            size=next((_SUPERLATIVES[w] for w in words if w in _SUPERLATIVES), 0),
+            holder=next(filter(None, map(_holder, words)), ""),
+            relations=tuple(r for r in phrase.relations if r[1].head not in POSITIONS),
+        )
+
+
+def _is_mark(word: str) -> bool:
+    skipped = _OTHER | NUMBERS | POSSESSIVES | {*ORDINALS, *_SUPERLATIVES}
+    return word not in skipped and not word.isdecimal() and not _holder(word)
+
+
+def _holder(modifier: str) -> str:
+    """Who holds the thing, in "the thing you are holding"."""
+    subject, _, verb = modifier.partition(" ")
+    return _SPEAKERS.get(subject, "") if verb in _HOLDING else ""
 
 
 def refer(
-    phrase: NounPhrase, looks: Looks, spoken: Sequence[str] = (), role: str = ""
+    phrase: NounPhrase,
+    looks: Looks,
+    spoken: Sequence[str] = (),
+    role: str = "",
+    listed: Sequence[str] = (),
 ) -> Candidates:
     """The objects that ``phrase`` may mean; empty where none fits.
 
     ``spoken`` are the objects spoken of before, the latest last, for "it" and
-    "the other one". ``role`` tells "throw the beer" from "fill it with beer":
-    one word for a thing and for what is in it means the thing unless the role
-    asks for contents.
+    "the other one"; ``listed`` those offered in order, for "the second one".
+    ``role`` tells "throw the beer" from "fill it with beer": one word for a
+    thing and for what is in it means the thing unless the role asks for contents.
     """
     if phrase.head in _POINTERS | _PLURAL_POINTERS and not phrase.modifiers:
         latest = spoken if phrase.head in _PLURAL_POINTERS else spoken[-1:]
-        return tuple((thing, FIRST_NAME) for thing in dict.fromkeys(latest))
-    weights = {thing: _fit(thing, phrase, looks, spoken) for thing in looks.objects}
-    if not any(weights.values()) and spoken:
-        weights = {thing: _fit(thing, phrase, looks, ()) for thing in looks.objects}
-    return _best(_sorted_out(weights, looks, role))
+        return tuple(
+            (thing, FIRST_NAME) for thing in dict.fromkeys(latest) if thing in looks.objects
+        )
+    said = _Said.of(phrase)
+    weights = {thing: _fit(thing, said, looks, spoken) for thing in looks.objects}
+    if not any(weights.values()) and spoken and not said.other:
+        weights = {thing: _fit(thing, said, looks, ()) for thing in looks.objects}
+    return _picked(_best(_sorted_out(weights, looks, role)), said, looks, listed)
+
+
+def verdict(phrase: NounPhrase, candidates: Candidates) -> Verdict:
+    """Whether the candidates settle what ``phrase`` means, or the robot has to ask."""
+    if not candidates:
+        return Verdict.NONE
+    if len(candidates) == 1 or candidates[0][1] > candidates[1][1]:
+        return Verdict.ONE
+    many = phrase.plural or not _ALL.isdisjoint(phrase.determiner.split())
+    return Verdict.SEVERAL if many else Verdict.UNCLEAR
 
 
 def _sorted_out(weights: dict[str, float], looks: Looks, role: str) -> dict[str, float]:
@@ -63,15 +142,47 @@ def _best(weights: dict[str, float]) -> Candidates:
     return tuple(sorted(near, key=lambda row: (-row[1], row[0])))
 
 
-def _fit(thing: str, phrase: NounPhrase, looks: Looks, spoken: Sequence[str]) -> float:
-    marks = [m for m in phrase.modifiers if m not in _OTHER and m not in ORDINALS]
-    others = _OTHER & {*phrase.modifiers, phrase.determiner}
-    fit = _noun_fit(thing, phrase.head, marks, looks)
-    if phrase.head == "one" and spoken:
-        fit = _like_the_last(thing, marks, looks, spoken)
-    if not fit or (others and thing in spoken):
+def _picked(found: Candidates, said: _Said, looks: Looks, listed: Sequence[str]) -> Candidates:
+    """Those that an ordinal or a superlative picks: "the second one", "the biggest mug"."""
+    if said.ordinal is not None and listed:
+        offered = [row for thing in listed for row in found if row[0] == thing]
+        if -1 <= said.ordinal < len(offered):
+            return (offered[said.ordinal],)
+        return ()
+    if said.size and found:
+        sizes = {thing: said.size * _size(thing, looks) for thing, _ in found}
+        return tuple(row for row in found if sizes[row[0]] == max(sizes.values()))
+    return found
+
+
+def _size(thing: str, looks: Looks) -> int:
+    return _SIZES.get(looks.objects[thing].attributes.get("size", "medium").lower(), 2)
+
+
+def _fit(thing: str, said: _Said, looks: Looks, spoken: Sequence[str]) -> float:
+    if said.other and thing in spoken:
         return 0.0
-    return fit if _stands_in_relations(thing, phrase, looks) else 0.0
+    if said.number and f"{thing}_".rpartition("_")[0].rpartition("_")[2] != said.number:
+        return 0.0
+    if said.holder and not _held(thing, said.holder, looks):
+        return 0.0
+    fit, relations = _named(thing, said, looks, spoken)
+    if not fit or not all(_stands(thing, name, inner, looks, spoken) for name, inner in relations):
+        return 0.0
+    return fit
+
+
+def _named(
+    thing: str, said: _Said, looks: Looks, spoken: Sequence[str]
+) -> tuple[float, Sequence[tuple[str, NounPhrase]]]:
+    """How well the noun fits, and the relations that are not part of the name itself."""
+    if said.head == "one" and spoken:
+        return _like_the_last(thing, said.marks, looks, spoken), said.relations
+    for name, inner in said.relations[:1]:
+        fit = _noun_fit(thing, f"{said.head} {name} {inner.text}", said.marks, looks)
+        if fit:
+            return fit, said.relations[1:]
+    return _noun_fit(thing, said.head, said.marks, looks), said.relations
 
 
 def _noun_fit(thing: str, head: str, marks: Sequence[str], looks: Looks) -> float:
@@ -85,76 +196,21 @@ def _noun_fit(thing: str, head: str, marks: Sequence[str], looks: Looks) -> floa
 
 def _like_the_last(thing: str, marks: Sequence[str], looks: Looks, spoken: Sequence[str]) -> float:
     """As in "the other one": something with a name of what was spoken of last."""
-    names = looks.objects[spoken[-1]].names[:1]
+    names = looks.objects[spoken[-1]].names[:1] if spoken[-1] in looks.objects else ()
     return max((_noun_fit(thing, name, marks, looks) for name in names), default=0.0)
 
 
-def _stands_in_relations(thing: str, phrase: NounPhrase, looks: Looks) -> bool:
-    return all(
-        any(looks.related(thing, preposition, other) for other, _ in refer(inner, looks))
-        for preposition, inner in phrase.relations
+def _held(thing: str, holder: str, looks: Looks) -> bool:
+    agents = [o.id for o in looks.objects.values() if looks.scene.domain.is_a(o.type, holder)]
+    return any(looks.related(agent, "holding", thing) for agent in agents)
+
+
+def _stands(thing: str, name: str, inner: NounPhrase, looks: Looks, spoken: Sequence[str]) -> bool:
+    """Whether the thing stands in the relation to something that ``inner`` means."""
+    positive = not name.startswith("not ")
+    preposition = name.removeprefix("not ")
+    others = refer(inner, looks, spoken, preposition)
+    related = any(
+        other != thing and looks.related(thing, preposition, other) for other, _ in others
     )
-
-
-def distinguish(object_id: str, looks: Looks) -> str:
-    """The shortest description that fits no other thing in the scene: "the red mug".
-
-    Where nothing singles the object out, its name with the number of its id:
-    "the mug 2".
-    """
-    thing = looks.objects.get(object_id)
-    if thing is None:
-        return object_id
-    name = thing.names[0] if thing.names else object_id
-    if not looks.is_thing(object_id):
-        return f"the {name}"
-    for description in _descriptions(object_id, name, looks):
-        if _alone(object_id, description, looks):
-            return _worded(description, looks)
-    return f"the {name} {object_id.rpartition('_')[2]}"
-
-
-_Description: TypeAlias = tuple[tuple[str, ...], str, tuple[str, str] | None]
-
-
-def _descriptions(object_id: str, name: str, looks: Looks) -> Iterator[_Description]:
-    attributes = looks.objects[object_id].attributes
-    order = ("position", "colour", "material", "size")
-    values = [attributes[kind].lower() for kind in order if kind in attributes]
-    marks = [value for value in values if value not in name.split()]
-    place = looks.place(object_id)
-    yield (), name, None
-    yield from (((mark,), name, None) for mark in marks)
-    yield (), name, place
-    yield from (((mark,), name, place) for mark in marks)
-    for pair in combinations(reversed(marks), 2):
-        yield pair, name, None
-    for pair in combinations(reversed(marks), 2):
-        yield pair, name, place
-
-
-def _alone(object_id: str, description: _Description, looks: Looks) -> bool:
-    marks, name, place = description
-    return not any(
-        other != object_id and looks.is_thing(other) and _fits(other, marks, name, place, looks)
-        for other in looks.objects
-    )
-
-
-def _fits(
-    other: str, marks: Sequence[str], name: str, place: tuple[str, str] | None, looks: Looks
-) -> bool:
-    if name not in looks.objects[other].names or not all(
-        looks.has_mark(other, mark) for mark in marks
-    ):
-        return False
-    return place is None or looks.related(other, *place)
-
-
-def _worded(description: _Description, looks: Looks) -> str:
-    marks, name, place = description
-    told = " ".join(["the", *marks, name])
-    if place is None:
-        return told
-    preposition, other = place
-    return f"{told} {preposition} {distinguish(other, looks)}"
+    return related == positive
