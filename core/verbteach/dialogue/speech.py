@@ -8,9 +8,9 @@ from functools import cache, cached_property
 
 from verbteach.dialogue.setting import Setting
 from verbteach.language import inflection, morphology
+from verbteach.language.distinguish import distinguish
 from verbteach.language.frames import Argument, VerbFrame
 from verbteach.language.looks import Looks
-from verbteach.language.refer import distinguish
 from verbteach.world.fluents import Literal, State
 from verbteach.world.plan import Action
 

@@ -50,7 +50,7 @@ def parse(
         clause
         for sentence in sentences(tokens)
         if not _is_question(sentence)
-        for clause in _sharing(SentenceReader(sentence, classes).read())
+        for clause in _sharing(SentenceReader(classes.joined(sentence), classes).read())
     ]
     return tuple(taken_apart(clause.settled()) for clause in clauses)
 

@@ -1,6 +1,8 @@
 """What can be said of an object without pointing: its names, its looks, how it is just now.
 
-Knows a scene, a state and a lexicon; no sentence and no noun phrase.
+Knows a scene, a state and a lexicon; no sentence and no noun phrase. Which
+words describe a state ("open") or a relation ("next to") it reads off the
+lexicon's wording of the fluents, so that any domain's predicates will do.
 """
 
 from __future__ import annotations
@@ -10,10 +12,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from verbteach.language.lexicon import FluentWording, Lexicon
+from verbteach.language.morphology import plural
 from verbteach.world.fluents import Fluent, State
 from verbteach.world.scene import Scene, SceneObject
 
-GENERIC = frozenset({"thing", "object", "item", "one", "stuff", "something"})
+GENERIC = frozenset({"thing", "object", "item", "one", "stuff", "something", "everything"})
 
 # How well a noun fits a name: the name itself, one of the other names, only the
 # name's last word, a word for the same, the kind of thing.
@@ -33,47 +36,89 @@ class Looks:
         """Every object that can be spoken of."""
         return self.scene.objects
 
+    # --- names ----------------------------------------------------------
+
     def fit(self, object_id: str, noun: str) -> float:
         """How well ``noun``, which may be several words, names the object; 0 not at all."""
-        return max(self._fits(self.objects[object_id], noun), default=0.0)
+        return max(self._fits(object_id, noun), default=0.0)
 
-    def _fits(self, thing: SceneObject, noun: str) -> Iterator[float]:
-        names = [_plain(name) for name in thing.names]
-        if noun in {thing.id.lower(), *names[:1]}:
+    def _fits(self, object_id: str, noun: str) -> Iterator[float]:
+        names = self._names[object_id]
+        if noun == object_id.lower() or noun in names[:1]:
             yield FIRST_NAME
         if noun in names:
             yield OTHER_NAME
         if any(name.endswith(f" {noun}") for name in names):
             yield LAST_WORD
-        if self.lexicon.synonyms.get(noun, frozenset()).intersection(names):
+        if not self._meant_by(noun).isdisjoint(names):
             yield SYNONYM
-        if noun == thing.type.lower():
+        if self.scene.domain.is_a(self.objects[object_id].type.lower(), noun):
             yield KIND
-        if noun in GENERIC and self.is_thing(thing.id):
+        if noun in GENERIC and self.is_thing(object_id):
             yield ANYTHING
+
+    @cached_property
+    def _names(self) -> Mapping[str, tuple[str, ...]]:
+        return {thing.id: tuple(map(_plain, thing.names)) for thing in self.objects.values()}
+
+    def _meant_by(self, noun: str) -> frozenset[str]:
+        """Words that ``noun`` may stand for; the group's plural names its kinds ("dishes")."""
+        synonyms = self.lexicon.synonyms
+        return synonyms.get(noun, frozenset()) | synonyms.get(plural(noun), frozenset())
 
     def is_thing(self, object_id: str) -> bool:
         """Whether the object is a thing in the room, not one of the domain's values."""
         return object_id not in self.scene.domain.constants
 
+    # --- looks and states -----------------------------------------------
+
     def has_mark(self, object_id: str, word: str) -> bool:
         """Whether ``word`` describes the object: an attribute, part of a name, or its state."""
-        thing = self.objects[object_id]
-        word = _SAME_MARK.get(word, word)
-        if word in {value.lower() for value in thing.attributes.values()}:
-            return True
-        if any(word in _plain(name).split() for name in thing.names):
-            return True
-        return word in self._now.get(object_id, ()) or self._holds_substance(object_id, word)
+        marks = self._marks[object_id]
+        return word in marks or not self._meant_by(word).isdisjoint(marks)
+
+    @cached_property
+    def _marks(self) -> Mapping[str, frozenset[str]]:
+        return {name: frozenset(self._all_marks(name)) for name in self.objects}
+
+    def _all_marks(self, object_id: str) -> Iterator[str]:
+        for value in self.objects[object_id].attributes.values():
+            yield value.lower()
+        for name in self._names[object_id]:
+            yield from name.split(" ")
+        yield from self._adjectives(object_id)
+        for fluent in self._about.get(object_id, ()):
+            for arg in fluent.args[1:]:
+                if arg in self.objects and not self.is_thing(arg):
+                    yield from self._names[arg]
+
+    def _adjectives(self, object_id: str) -> Iterator[str]:
+        """What the wording of the one-place fluents says of the object now: "open", "clean"."""
+        held = {f.predicate for f in self._about.get(object_id, ()) if f.args == (object_id,)}
+        for predicate, wording in self.lexicon.fluents.items():
+            if len(self._parameters(predicate)) == 1:
+                said = _complement(wording.is_true if predicate in held else wording.is_false)
+                if said:
+                    yield said
+
+    def states(self, object_id: str) -> tuple[str, ...]:
+        """Adjectives of the fluents that are true of the object, in the order of their names."""
+        found = (
+            _complement(self.lexicon.fluents[fluent.predicate].is_true)
+            for fluent in self._about.get(object_id, ())
+            if fluent.args == (object_id,) and fluent.predicate in self.lexicon.fluents
+        )
+        return tuple(word for word in found if word and " " not in word)
+
+    # --- relations --------------------------------------------------------
 
     def related(self, object_id: str, preposition: str, other: str) -> bool:
         """Whether a fluent puts the object in that relation to ``other`` now."""
-        wanted = _SAME_PREPOSITION.get(preposition, preposition)
+        wanted = _SAME_PREPOSITION.get(preposition, (preposition,))
         return any(
-            Fluent(predicate, pair) in self.state
+            Fluent(predicate, (other, object_id) if swapped else (object_id, other)) in self.state
             for predicate, words, swapped in self._relations
-            if words == wanted
-            for pair in (((other, object_id) if swapped else (object_id, other)),)
+            if words in wanted
         )
 
     def place(self, object_id: str) -> tuple[str, str] | None:
@@ -81,37 +126,26 @@ class Looks:
         for predicate, words, swapped in self._relations:
             if swapped or words not in _PLACES:
                 continue
-            for fluent in sorted(self._about.get(object_id, ())):
+            for fluent in self._about.get(object_id, ()):
                 if fluent.predicate == predicate and fluent.args[0] == object_id:
                     return words, fluent.args[1]
         return None
 
-    def _holds_substance(self, object_id: str, word: str) -> bool:
-        return any(
-            word in self.objects[arg].names
-            for fluent in self._about.get(object_id, ())
-            for arg in fluent.args
-            if arg in self.objects and not self.is_thing(arg)
+    def holds(self, object_id: str) -> tuple[str, ...]:
+        """The domain's values that the object is "with": what a cup has in it."""
+        return tuple(
+            other
+            for other in self.objects
+            if not self.is_thing(other) and self.related(object_id, "with", other)
         )
 
     @cached_property
     def _about(self) -> Mapping[str, tuple[Fluent, ...]]:
         found: dict[str, list[Fluent]] = {}
         for fluent in sorted(self.state):
-            for arg in fluent.args:
+            for arg in dict.fromkeys(fluent.args):
                 found.setdefault(arg, []).append(fluent)
         return {name: tuple(fluents) for name, fluents in found.items()}
-
-    @cached_property
-    def _now(self) -> Mapping[str, frozenset[str]]:
-        """For each object the adjectives that its one-place fluents say of it now."""
-        return {name: frozenset(self._adjectives(name)) for name in self.objects}
-
-    def _adjectives(self, object_id: str) -> Iterator[str]:
-        held = {f.predicate for f in self._about.get(object_id, ()) if f.args == (object_id,)}
-        for predicate, wording in self.lexicon.fluents.items():
-            if len(self._parameters(predicate)) == 1:
-                yield _complement(wording.is_true if predicate in held else wording.is_false)
 
     def _parameters(self, predicate: str) -> tuple[object, ...]:
         found = self.scene.domain.predicates.get(predicate)
@@ -129,16 +163,26 @@ class Looks:
 
 
 _SAME_PREPOSITION = {
-    "inside": "in", "within": "in", "into": "in", "onto": "on", "upon": "on", "on top of": "on",
-    "beside": "next to", "by": "next to", "at": "next to", "near": "next to", "of": "with",
-    "containing": "with", "full of": "with",
-}  # fmt: skip
-_SAME_MARK = {
-    "big": "large", "huge": "large", "tall": "large", "little": "small", "tiny": "small",
-    "gray": "grey", "golden": "gold", "wood": "wooden", "metallic": "metal", "dark": "black",
-    "right-hand": "right", "left-hand": "left", "upper": "top", "lower": "bottom", "shut": "closed",
-}  # fmt: skip
+    "inside": ("in",),
+    "within": ("in",),
+    "into": ("in",),
+    "onto": ("on",),
+    "on top of": ("on",),
+    "on": ("on", "standing on"),
+    "beside": ("next to", "near"),
+    "by": ("next to", "near"),
+    "at": ("next to", "near", "on"),
+    "near": ("near", "next to"),
+    "close to": ("near", "next to"),
+    "closest to": ("near", "next to"),
+    "nearest to": ("near", "next to"),
+    "next to": ("next to", "near"),
+    "alongside": ("next to", "near"),
+    "of": ("with",),
+}
+"""For a preposition, the words of the fluents that it may stand for."""
 _PLACES = ("on", "in", "next to")
+_NOT_ADJECTIVES = frozenset({"not", "no"})
 
 
 def _plain(name: str) -> str:
@@ -147,8 +191,11 @@ def _plain(name: str) -> str:
 
 
 def _complement(sentence: str) -> str:
-    """What stands behind "{0} is": "open"."""
-    return sentence.removeprefix("{0} is ").removeprefix("{0} has been ")
+    """What stands behind "{0} is" or "{0} has been": "open", "not hot"; else nothing."""
+    for copula in ("{0} is ", "{0} has been "):
+        if sentence.startswith(copula):
+            return sentence.removeprefix(copula)
+    return ""
 
 
 def _between(wording: FluentWording) -> tuple[str, bool] | None:
@@ -157,8 +204,8 @@ def _between(wording: FluentWording) -> tuple[str, bool] | None:
     A substance is *in* its vessel, and the vessel is *with* the substance.
     """
     sentence = wording.is_true
+    if sentence in {"{1} is in {0}", "{0} contains {1}", "{0} has {1}", "{0} holds {1}"}:
+        return "with", False
     if sentence.startswith("{0} is ") and sentence.endswith(" {1}"):
         return sentence.removeprefix("{0} is ").removesuffix(" {1}"), False
-    if sentence == "{1} is in {0}":
-        return "with", False
     return None

@@ -193,7 +193,7 @@ class Phrases:
             word, index = step
             if word:
                 inside.append(word)
-        return inside, index
+        return " ".join(inside).split(), index
 
     def _step(
         self, index: int, inside: list[str], ends: Ends, determined: bool

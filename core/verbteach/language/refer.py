@@ -143,7 +143,10 @@ def _best(weights: dict[str, float]) -> Candidates:
 
 
 def _picked(found: Candidates, said: _Said, looks: Looks, listed: Sequence[str]) -> Candidates:
-    """Those that an ordinal or a superlative picks: "the second one", "the biggest mug"."""
+    """Those that a number, an ordinal or a superlative picks: "mug 2", "the biggest mug"."""
+    numbered = tuple(row for row in found if row[0].rpartition("_")[2] == said.number)
+    if numbered:
+        return numbered
     if said.ordinal is not None and listed:
         offered = [row for thing in listed for row in found if row[0] == thing]
         if -1 <= said.ordinal < len(offered):
@@ -161,8 +164,6 @@ def _size(thing: str, looks: Looks) -> int:
 
 def _fit(thing: str, said: _Said, looks: Looks, spoken: Sequence[str]) -> float:
     if said.other and thing in spoken:
-        return 0.0
-    if said.number and f"{thing}_".rpartition("_")[0].rpartition("_")[2] != said.number:
         return 0.0
     if said.holder and not _held(thing, said.holder, looks):
         return 0.0

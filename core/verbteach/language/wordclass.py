@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from verbteach.language import household, words
 from verbteach.language.inflection import base_of_gerund
@@ -39,6 +39,20 @@ class WordClasses:
         self._scene_nouns = frozenset(w for name in named for w in name.lower().split())
         self._adjectives = frozenset(value.lower() for value in lexicon.attributes)
         self._lexicon = lexicon
+        self._joined = _joined_names(named)
+
+    def joined(self, tokens: Sequence[str]) -> list[str]:
+        """The tokens with each name that holds a particle ("channel up button") as one token."""
+        if not self._joined:
+            return list(tokens)
+        found: list[str] = []
+        index = 0
+        while index < len(tokens):
+            names = self._joined.get(tokens[index], ())
+            name = next((n for n in names if tuple(tokens[index : index + len(n)]) == n), None)
+            found.append(" ".join(name) if name else tokens[index])
+            index += len(name) if name else 1
+        return found
 
     def is_open(self, word: str) -> bool:
         """Whether ``word`` is no function word: it could be a noun, a verb or an adjective."""
@@ -54,6 +68,8 @@ class WordClasses:
 
     def is_noun(self, word: str) -> bool:
         """Whether ``word`` is a known noun, singular or plural."""
+        if " " in word:
+            return True
         if word in household.NOUNS or word in self._scene_nouns:
             return True
         single = singular(word)
@@ -94,3 +110,10 @@ class WordClasses:
         """The singular under which a noun is kept; a scene's own plural name stays as it is."""
         single = singular(word)
         return word if word in self._scene_nouns and single not in self._scene_nouns else single
+
+
+def _joined_names(names: Iterable[str]) -> dict[str, tuple[tuple[str, ...], ...]]:
+    """Names that hold a particle, by their first word, the longest first."""
+    split = sorted({tuple(name.lower().split()) for name in names}, key=lambda n: (-len(n), n))
+    telling = [n for n in split if n[0] not in _CLOSED and not words.PARTICLES.isdisjoint(n[1:-1])]
+    return {n[0]: tuple(m for m in telling if m[0] == n[0]) for n in telling}
