@@ -6,7 +6,7 @@ this would write.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import Path
 
 from verbteach_scenarios.compiled import (
@@ -17,8 +17,12 @@ from verbteach_scenarios.compiled import (
 )
 from verbteach_scenarios.errors import DomainFileError, SceneFileError
 from verbteach_scenarios.folders import BUNDLED, DOMAIN, WorldFolder
+from verbteach_scenarios.lesson_file import lesson_to_line
 from verbteach_scenarios.pddl import parse_domain, parse_problem
 from verbteach_scenarios.pddl.grammar import read_text
+
+RECIPES = BUNDLED / "recipes"
+LESSONS = BUNDLED / "lessons.jsonl"
 
 
 def compiled_files(home: WorldFolder) -> Iterator[tuple[Path, str]]:
@@ -34,14 +38,27 @@ def compiled_files(home: WorldFolder) -> Iterator[tuple[Path, str]]:
         yield home.compiled(scene_id), compiled_text(problem_to_json(problem), made_from)
 
 
-def made_files() -> Mapping[Path, str]:
-    """Every file that is made from others, with its text."""
-    return dict(compiled_files(WorldFolder(BUNDLED)))
+def lesson_text() -> str:
+    """The text of the bundled lessons, written from their recipes; takes about half a minute."""
+    from verbteach_scenarios.recipes.generate import generate  # noqa: PLC0415 - only to write
+    from verbteach_scenarios.recipes.tasks import read_tasks, read_teachers  # noqa: PLC0415
+    from verbteach_scenarios.settings import make_settings  # noqa: PLC0415
+
+    setting = make_settings()
+    settings = {scene_id: setting(scene_id) for scene_id in WorldFolder(BUNDLED).scene_ids}
+    lessons = generate(read_tasks(RECIPES), read_teachers(RECIPES), settings)
+    return "".join(f"{lesson_to_line(lesson)}\n" for lesson in lessons)
+
+
+def made_files() -> Iterator[tuple[Path, str]]:
+    """Every file that is made from others, with its text, in the order of making."""
+    yield from compiled_files(WorldFolder(BUNDLED))
+    yield LESSONS, lesson_text()
 
 
 def main() -> None:
     """Write what has changed."""
-    for path, text in made_files().items():
+    for path, text in made_files():
         if not path.is_file() or path.read_text(encoding="utf-8") != text:
             path.parent.mkdir(exist_ok=True)
             path.write_text(text, encoding="utf-8", newline="\n")
