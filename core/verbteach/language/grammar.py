@@ -14,7 +14,6 @@ from itertools import pairwise
 from verbteach.language import household, words
 from verbteach.language.assembly import OBJECT, Clause, Piece
 from verbteach.language.clauses import SentenceReader
-from verbteach.language.fixed_names import fixed_names, joined, taken_apart
 from verbteach.language.frames import VerbFrame
 from verbteach.language.lexicon import Lexicon
 from verbteach.language.tokens import sentences, tokenise
@@ -41,9 +40,8 @@ def parse(
     ``vocabulary`` holds the nouns of the scene ("mug", "coffee table").
     Unknown verbs and nouns are read by where they stand. Nothing read: empty.
     """
-    known = tuple(vocabulary)
-    classes = WordClasses(lexicon, known)
-    tokens = joined(tokenise(text), fixed_names(known))
+    classes = WordClasses(lexicon, tuple(vocabulary))
+    tokens = tokenise(text)
     if _is_foreign(tokens, classes):
         return ()
     clauses = [
@@ -52,7 +50,7 @@ def parse(
         if not _is_question(sentence)
         for clause in _sharing(SentenceReader(classes.joined(sentence), classes).read())
     ]
-    return tuple(taken_apart(clause.settled()) for clause in clauses)
+    return tuple(clause.settled() for clause in clauses)
 
 
 def explain_unread(
