@@ -22,18 +22,21 @@ class LessonFileError(WorldFileError):
 
 def lesson_to_line(lesson: Lesson) -> str:
     """One line, without its end; the same lesson gives the same line."""
-    goal = sorted(lesson.goal)
-    value = {
+    return json.dumps(lesson_to_data(lesson), ensure_ascii=False)
+
+
+def lesson_to_data(lesson: Lesson) -> dict[str, Any]:
+    """The lesson as plain JSON values."""
+    return {
         "id": lesson.id,
         "scene": lesson.scene,
         "command": lesson.command,
         "verb": lesson.verb,
         "grounding": {phrase: list(objects) for phrase, objects in lesson.grounding.items()},
         "demonstration": [str(action) for action in lesson.demonstration],
-        "goal": [str(literal) for literal in goal],
+        "goal": [str(literal) for literal in sorted(lesson.goal)],
         "teacher": lesson.teacher,
     }
-    return json.dumps(value, ensure_ascii=False)
 
 
 def parse_lessons(text: str, path: Path) -> Iterator[tuple[int, Lesson]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -65,28 +65,33 @@ def load_lessons(folder: Path | None = None) -> tuple[Lesson, ...]:
     return tuple(lesson for path in _files(folder) for _, lesson in read_lessons(path))
 
 
-def check_lessons(folder: Path | None = None, scenes: Path | None = None) -> LessonReport:
+def check_lessons(
+    folder: Path | None = None,
+    scenes: Path | None = None,
+    progress: Callable[[int, int], None] | None = None,
+) -> LessonReport:
     """Teach every lesson to a simulator; ``scenes`` is the folder of the scenes they are set in.
 
     Without ``scenes``, a folder of lessons that holds scenes too is set in those.
+    ``progress`` hears how many lessons have been taught, and of how many.
     """
     if scenes is None and folder is not None and any(folder.glob("*.pddl")):
         scenes = folder
     settings = make_settings(scenes)
-    lessons: list[Lesson] = []
     problems: list[LessonProblem] = []
-    seen: set[str] = set()
+    found: list[tuple[Path, int, Lesson]] = []
     for path in _files(folder):
         try:
-            read = read_lessons(path)
+            found += [(path, line, lesson) for line, lesson in read_lessons(path)]
         except LessonFileError as error:
             problems.append(LessonProblem(path, error.line, "", error.reason))
-            continue
-        for line, lesson in read:
-            reasons = [*_known(lesson, seen), *_wrong(lesson, settings)]
-            problems += [LessonProblem(path, line, lesson.id, reason) for reason in reasons]
-            lessons.append(lesson)
-    return report(lessons, problems)
+    seen: set[str] = set()
+    for done, (path, line, lesson) in enumerate(found, start=1):
+        reasons = [*_known(lesson, seen), *_wrong(lesson, settings)]
+        problems += [LessonProblem(path, line, lesson.id, reason) for reason in reasons]
+        if progress is not None:
+            progress(done, len(found))
+    return report([lesson for _, _, lesson in found], problems)
 
 
 def report(lessons: Sequence[Lesson], problems: Sequence[LessonProblem] = ()) -> LessonReport:

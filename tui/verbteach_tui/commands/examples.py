@@ -36,6 +36,15 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "verbteach benchmark check tell-me-dave",
         "verbteach benchmark check tell-me-dave --json",
     ),
+    "verbteach lessons": ("verbteach lessons check",),
+    "verbteach lessons list": (
+        "verbteach lessons list",
+        "verbteach lessons list --lessons my-lessons --json",
+    ),
+    "verbteach lessons check": (
+        "verbteach lessons check",
+        "verbteach lessons check --lessons my-lessons --scenes my-scenes",
+    ),
     "verbteach parse": (
         'verbteach parse "put the red mug in the sink and turn on the tap"',
         'verbteach parse "boil the water" --scene kitchen-1 --json',
@@ -49,6 +58,10 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
     "verbteach scenes check": (
         "verbteach scenes check",
         "verbteach scenes check --scenes my-scenes",
+    ),
+    "verbteach bench": (
+        "verbteach bench",
+        "verbteach bench --peers --data tell-me-dave --json",
     ),
     "verbteach doctor": (
         "verbteach doctor",

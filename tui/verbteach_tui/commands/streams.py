@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -93,3 +93,8 @@ def progress() -> Iterator[Progress]:
 
     with bars:
         yield show
+
+
+def counting(show: Progress, stage: str, total: int) -> Callable[[int], None]:
+    """``show`` for one stage: it only needs to be told how much is done."""
+    return lambda done: show(stage, done, total)

@@ -21,7 +21,7 @@ from verbteach_tui.commands.parameters import (
     SeedOption,
     SessionsFolder,
 )
-from verbteach_tui.commands.streams import columns, emit, note, progress, tell
+from verbteach_tui.commands.streams import columns, counting, emit, note, progress, tell
 from verbteach_tui.conclusion import DONE, INTERRUPTED, WRONG_USE, WrongUseError
 from verbteach_tui.near import known
 from verbteach_tui.options import OpenHome, Opening, OpenNew, OpenSession
@@ -186,11 +186,9 @@ def _simulated(beginning: Beginning, scene: str | None, resume: Path | None, cou
     if not lessons:
         raise WrongUseError(f"there is no lesson in the scene {scene!r}")
     with _session(beginning, scene or lessons[0].scene, resume) as session, progress() as show:
+        given = counting(show, "lessons", count)
         return _interruptible(
-            session,
-            lambda: simulate(
-                session, lessons, count, beginning.setting, lambda n: show("lessons", n, count)
-            ),
+            session, lambda: simulate(session, lessons, count, beginning.setting, given)
         )
 
 

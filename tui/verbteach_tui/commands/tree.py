@@ -8,7 +8,17 @@ from typing import Annotated, TypeAlias
 import typer
 
 from verbteach import __version__
-from verbteach_tui.commands import benchmark, doctor, parse, replay, scenes, sessions, teach
+from verbteach_tui.commands import (
+    bench,
+    benchmark,
+    doctor,
+    lessons,
+    parse,
+    replay,
+    scenes,
+    sessions,
+    teach,
+)
 from verbteach_tui.commands.examples import epilog
 from verbteach_tui.commands.home import home
 from verbteach_tui.conclusion import WrongUseError, concluded
@@ -20,6 +30,7 @@ COMMANDS: Mapping[str, Command] = {
     "teach": teach.teach,
     "replay": replay.replay,
     "parse": parse.parse,
+    "bench": bench.bench,
     "doctor": doctor.doctor,
 }
 GROUPS: Mapping[str, tuple[str, Mapping[str, Command]]] = {
@@ -34,6 +45,10 @@ GROUPS: Mapping[str, tuple[str, Mapping[str, Command]]] = {
     "scenes": (
         "The worlds to teach in: the bundled ones, or your own.",
         {"list": scenes.list_scenes, "show": scenes.show_scene, "check": scenes.check},
+    ),
+    "lessons": (
+        "What the simulated teacher teaches.",
+        {"list": lessons.list_lessons, "check": lessons.check},
     ),
     "benchmark": ("The Tell Me Dave corpus.", {"check": benchmark.check}),
 }
