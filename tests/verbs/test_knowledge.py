@@ -66,7 +66,10 @@ def test_frequencies_are_counts_over_demonstrations(taught: list[HypothesisSpace
     knowledge = VerbKnowledge.merged(taught)
     assert frequencies(knowledge) == expected
     for frame in knowledge.frames.values():
-        assert sum(node.base for node in frame.nodes.values()) == len(frame.spaces)
+        for mark in ("base", "leaf"):
+            marked = {u.demonstration for n in frame.nodes.values() for u in n.uses
+                      if getattr(u, mark)}  # fmt: skip
+            assert marked == {space.demonstration for space in frame.spaces}
 
 
 @given(several)

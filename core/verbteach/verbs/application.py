@@ -8,19 +8,27 @@ demonstration. Which goal is wanted is not decided here.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations, product
 from typing import NamedTuple, TypeAlias
 
-from verbteach.verbs.knowledge import FrameSpace, HypothesisNode, VerbKnowledge
-from verbteach.verbs.lifting import Binding, affordances_of, bind, terms_of
+from verbteach.verbs.knowledge import FrameSpace, HypothesisNode, Use, VerbKnowledge
+from verbteach.verbs.lifting import (
+    Binding,
+    Lifted,
+    affordances_of,
+    bind,
+    terms_of,
+    variables_of,
+)
 from verbteach.verbs.setting import Setting
 from verbteach.verbs.space import Demonstration, FrameKey
 from verbteach.world.fluents import Goal, Literal, State
 
-GroundingBelief: TypeAlias = tuple[tuple[tuple[str, ...], float], ...]
+Objects: TypeAlias = tuple[str, ...]
+GroundingBelief: TypeAlias = tuple[tuple[Objects, float], ...]
 """Joint groundings (an object for each noun phrase) with their probabilities."""
 
 
@@ -33,6 +41,15 @@ class Situation:
     groundings: GroundingBelief
     state: State
     setting: Setting
+
+    @cached_property
+    def marginals(self) -> tuple[Mapping[str, float], ...]:
+        """For each noun phrase the probability of each object."""
+        found: list[dict[str, float]] = [{} for _ in self.phrases]
+        for objects, probability in self.groundings:
+            for own, thing in zip(found, objects, strict=True):
+                own[thing] = own.get(thing, 0.0) + probability
+        return tuple(found)
 
 
 @dataclass(frozen=True)
@@ -50,18 +67,34 @@ class ApplicationParameters:
 
     replace_missing: int = 0
     whole_verb: bool = False
-    groundings: int = 24
+    groundings: int = 64
 
 
 class Support(NamedTuple):
-    """Why a goal is a candidate: a hypothesis, bound, and the demonstrations that bound it so."""
+    """Why a goal is a candidate: a hypothesis, bound, and the demonstrations that bound it so.
+
+    ``arguments`` are the frame's, None where the hypothesis does not speak of
+    one; ``grounding`` is the likeliest joint grounding that gives them, and
+    ``probability`` that of all such groundings together.
+    """
 
     frame: FrameSpace
     node: HypothesisNode
-    demonstrations: tuple[Demonstration, ...]
-    grounding: tuple[str, ...]
+    uses: tuple[Use, ...]
+    arguments: tuple[str | None, ...]
+    grounding: Objects
     probability: float
     replaced: bool
+
+    @property
+    def demonstrations(self) -> tuple[Demonstration, ...]:
+        """The demonstrations, sorted."""
+        return tuple(use.demonstration for use in self.uses)
+
+    @property
+    def votes(self) -> float:
+        """The expected number of demonstrations that speak for the goal here."""
+        return self.probability * len(self.uses)
 
 
 @dataclass(frozen=True)
@@ -95,6 +128,13 @@ def certain(grounding: Sequence[str]) -> GroundingBelief:
     return ((tuple(grounding), 1.0),)
 
 
+def likeliest(belief: GroundingBelief, count: int) -> GroundingBelief:
+    """The ``count`` likeliest groundings, normalised; ties in the objects' order."""
+    best = sorted((row for row in belief if row[1] > 0), key=lambda row: (-row[1], row[0]))[:count]
+    total = sum(probability for _, probability in best)
+    return tuple((objects, probability / total) for objects, probability in best)
+
+
 def evidence(
     knowledge: VerbKnowledge,
     situation: Situation,
@@ -102,19 +142,16 @@ def evidence(
 ) -> tuple[Evidence, ...]:
     """All candidate goals with their support, sorted by goal; equal goals are one."""
     parameters = parameters or ApplicationParameters()
+    belief = likeliest(situation.groundings, parameters.groundings)
+    things = _Things(situation.setting, parameters.replace_missing)
     found: dict[Goal, list[Support]] = defaultdict(list)
     for frame in _frames(knowledge, situation.frame, parameters.whole_verb):
-        for goal, support in _supports(frame, situation, parameters):
-            found[goal].append(support)
+        arguments = _Arguments(frame, belief)
+        for node in frame.nodes.values():
+            for goal, support in _supports(frame, node, arguments, things):
+                found[goal].append(support)
     gathered = [Evidence(goal, tuple(s), situation) for goal, s in found.items()]
     return tuple(sorted(gathered, key=lambda e: e.key))
-
-
-def likeliest(belief: GroundingBelief, count: int) -> GroundingBelief:
-    """The ``count`` likeliest groundings, normalised; ties in the objects' order."""
-    best = sorted((row for row in belief if row[1] > 0), key=lambda row: (-row[1], row[0]))[:count]
-    total = sum(probability for _, probability in best)
-    return tuple((objects, probability / total) for objects, probability in best)
 
 
 def _frames(knowledge: VerbKnowledge, key: FrameKey, whole_verb: bool) -> list[FrameSpace]:
@@ -125,63 +162,98 @@ def _frames(knowledge: VerbKnowledge, key: FrameKey, whole_verb: bool) -> list[F
 
 
 def _supports(
-    frame: FrameSpace, situation: Situation, parameters: ApplicationParameters
+    frame: FrameSpace, node: HypothesisNode, arguments: _Arguments, things: _Things
 ) -> Iterator[tuple[Goal, Support]]:
-    belief = likeliest(situation.groundings, parameters.groundings)
-    things = _thing_chooser(situation.setting, parameters.replace_missing)
-    for node in frame.nodes.values():
-        terms = terms_of(node.literals)
-        for binding, demonstrations in node.bindings:
-            for used, share, replaced in things(terms, binding):
-                for objects, probability in belief:
-                    for arguments, part in _arguments(frame.key, objects, demonstrations):
-                        goal = bind(node.literals, arguments, used)
-                        if goal is not None:
-                            yield goal, Support(
-                                frame, node, demonstrations, objects,
-                                probability * share * part, replaced,
-                            )  # fmt: skip
+    needed = variables_of(node.literals)
+    for binding, uses in node.bindings:
+        for used, share, replaced in things.choices(node.literals, binding):
+            for chosen in arguments.choices(needed, uses):
+                goal = bind(node.literals, chosen.arguments, used)
+                if goal is not None:
+                    probability = chosen.probability * share
+                    yield (
+                        goal,
+                        Support(
+                            frame,
+                            node,
+                            uses,
+                            chosen.arguments,
+                            chosen.grounding,
+                            probability,
+                            replaced,
+                        ),
+                    )
 
 
-def _arguments(
-    key: FrameKey, objects: tuple[str, ...], demonstrations: tuple[Demonstration, ...]
-) -> list[tuple[tuple[str, ...], float]]:
-    """The new objects as arguments of a frame of this or another arity, each with its share."""
-    if key.arity <= len(objects):
-        chosen = list(combinations(objects, key.arity))
-    else:
-        old = dict.fromkeys(d.grounding for d in demonstrations)
-        places = list(combinations(range(key.arity), len(objects)))
-        chosen = [_put(objects, at, into) for into in old for at in places]
-    return [(arguments, 1 / len(chosen)) for arguments in chosen]
+class _Chosen(NamedTuple):
+    arguments: tuple[str | None, ...]
+    grounding: Objects
+    probability: float
 
 
-def _put(objects: Sequence[str], places: Sequence[int], into: Sequence[str]) -> tuple[str, ...]:
+class _Arguments:
+    """The new objects as arguments of a frame, this command's own or one of another arity."""
+
+    def __init__(self, frame: FrameSpace, belief: GroundingBelief) -> None:
+        self._arity = frame.key.arity
+        self._belief = belief
+        self._known: dict[tuple[frozenset[int], tuple[Objects, ...]], tuple[_Chosen, ...]] = {}
+
+    def choices(self, needed: frozenset[int], uses: Iterable[Use]) -> tuple[_Chosen, ...]:
+        """Arguments for the variables that are needed; equal ones are one, their shares added."""
+        old: tuple[Objects, ...] = ()
+        if self._belief and self._arity > len(self._belief[0][0]):
+            old = tuple(dict.fromkeys(use.demonstration.grounding for use in uses))
+        if (needed, old) not in self._known:
+            self._known[needed, old] = self._gathered(needed, old)
+        return self._known[needed, old]
+
+    def _gathered(self, needed: frozenset[int], old: tuple[Objects, ...]) -> tuple[_Chosen, ...]:
+        found: dict[tuple[str | None, ...], _Chosen] = {}
+        for objects, probability in self._belief:
+            filled = self._filled(objects, old)
+            for full in filled:
+                key = tuple(o if i in needed else None for i, o in enumerate(full))
+                before = found.get(key) or _Chosen(key, objects, 0.0)
+                total = before.probability + probability / len(filled)
+                found[key] = before._replace(probability=total)
+        return tuple(found.values())
+
+    def _filled(self, objects: Objects, old: tuple[Objects, ...]) -> list[Objects]:
+        if self._arity <= len(objects):
+            return list(combinations(objects, self._arity))
+        places = list(combinations(range(self._arity), len(objects)))
+        return [_put(objects, at, into) for into in old for at in places]
+
+
+def _put(objects: Objects, places: Sequence[int], into: Objects) -> Objects:
     arguments = list(into)
     for place, thing in zip(places, objects, strict=True):
         arguments[place] = thing
     return tuple(arguments)
 
 
-_Chooser: TypeAlias = Callable[[tuple[str, ...], Binding], Sequence[tuple[Binding, float, bool]]]
+class _Things:
+    """The things of a binding in this scene: the old ones, or others alike for missing ones."""
 
+    def __init__(self, setting: Setting, replace_missing: int) -> None:
+        self._here = setting.affordances
+        self._most = replace_missing
+        self._alike: dict[frozenset[str], list[str]] = defaultdict(list)
+        for thing in sorted(setting.affordances):
+            self._alike[setting.affordances[thing]].append(thing)
 
-def _thing_chooser(setting: Setting, replace_missing: int) -> _Chooser:
-    """Bindings for this scene: the old things, or others alike where they are missing."""
-    alike: Mapping[frozenset[str], tuple[str, ...]] = {
-        marks: setting.alike(marks) for marks in dict.fromkeys(setting.affordances.values())
-    }
-
-    def choose(terms: tuple[str, ...], binding: Binding) -> Sequence[tuple[Binding, float, bool]]:
-        if all(thing in setting.affordances for thing in binding):
+    def choices(
+        self, hypothesis: Lifted, binding: Binding
+    ) -> Sequence[tuple[Binding, float, bool]]:
+        """Bindings with their shares, and whether a thing was replaced."""
+        if all(thing in self._here for thing in binding):
             return ((binding, 1.0, False),)
-        if not replace_missing:
+        if not self._most:
             return ()
-        choices = [
-            (thing,) if thing in setting.affordances else alike.get(affordances_of(term), ())
-            for term, thing in zip(terms, binding, strict=True)
+        options = [
+            [thing] if thing in self._here else self._alike.get(affordances_of(term), [])
+            for term, thing in zip(terms_of(hypothesis), binding, strict=True)
         ]
-        fitting = [b for b in product(*choices) if len(set(b)) == len(b)][:replace_missing]
+        fitting = [b for b in product(*options) if len(set(b)) == len(b)][: self._most]
         return [(other, 1 / len(fitting), True) for other in fitting]
-
-    return choose

@@ -10,7 +10,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
-from verbteach.verbs.application import Evidence, Support
+from verbteach.verbs.application import Evidence
+from verbteach.verbs.knowledge import Use
 from verbteach.world.fluents import Goal
 
 
@@ -29,21 +30,20 @@ class Criterion(Protocol):
 
 @dataclass(frozen=True)
 class Counting:
-    """Demonstrations that gave the goal, of the hypotheses that ``counts`` lets through.
+    """Demonstrations that gave the goal, of the uses that ``counts`` lets through.
 
     Each demonstration counts with the probability of the grounding it was
     bound with; equal goals add up.
     """
 
     name: str
-    counts: Callable[[Support], bool]
+    counts: Callable[[Use], bool]
 
     def score(self, evidence: Evidence) -> float:
         """The expected number of demonstrations that speak for the goal."""
         return sum(
-            support.probability * len(support.demonstrations)
+            support.probability * sum(map(self.counts, support.uses))
             for support in evidence.supports
-            if self.counts(support)
         )
 
 
@@ -59,25 +59,26 @@ class Oracle:
         return self.judge(evidence.goal)
 
 
-def at_the_top(support: Support) -> bool:
-    """Whether no more specific hypothesis is linked to this one."""
-    return not support.frame.specific[support.node.literals]
+def whole_goal(use: Use) -> bool:
+    """Whether the goal was all that the demonstration changed: memory alone."""
+    return use.base
 
 
-def at_the_bottom(support: Support) -> bool:
-    """Whether no more general hypothesis is linked to this one."""
-    return not support.node.general
+def least_goal(use: Use) -> bool:
+    """Whether the demonstration kept nothing more general."""
+    return use.leaf
 
 
-def anywhere(support: Support) -> bool:
+def any_goal(use: Use) -> bool:
     """Every hypothesis counts."""
-    return support.node.frequency > 0
+    return True
 
 
-MOST_SPECIFIC = Counting("most_specific", at_the_top)
-MOST_GENERAL = Counting("most_general", at_the_bottom)
-MOST_FREQUENT = Counting("most_frequent", anywhere)
+MOST_SPECIFIC = Counting("most_specific", whole_goal)
+MOST_GENERAL = Counting("most_general", least_goal)
+MOST_FREQUENT = Counting("most_frequent", any_goal)
 
 PLAIN_CRITERIA: Mapping[str, Criterion] = {
     criterion.name: criterion for criterion in (MOST_SPECIFIC, MOST_GENERAL, MOST_FREQUENT)
 }
+"""The criteria that need neither fitting nor the answer, by name."""

@@ -20,36 +20,54 @@ from verbteach.verbs.space import Demonstration, FrameKey, HypothesisSpace
 
 
 class Use(NamedTuple):
-    """One demonstration of a hypothesis with the things its abstract terms stood for."""
+    """One demonstration of a hypothesis with the things its abstract terms stood for.
+
+    ``base``: it was the demonstration's whole goal; ``leaf``: nothing more
+    general was kept of it; ``confirmed``: its teacher confirmed that goal.
+    """
 
     binding: Binding
     demonstration: Demonstration
+    base: bool
+    leaf: bool
+    confirmed: bool
 
 
 @dataclass(frozen=True)
 class HypothesisNode:
     """A hypothesis merged over demonstrations.
 
-    ``frequency`` counts the demonstrations it comes from, ``base`` those whose
-    whole goal it was, ``leaf`` those that nothing more general was kept of,
-    ``confirmed`` those whose teacher confirmed it as the goal. ``general``
-    lists the hypotheses with one fluent less that it is linked to.
+    ``frequency`` counts the demonstrations it comes from; one that holds it
+    twice, of different things, has several ``uses``. ``general`` lists the
+    hypotheses with one fluent less that it is linked to.
     """
 
     literals: Lifted
     uses: tuple[Use, ...] = ()
     frequency: int = 0
-    base: int = 0
-    leaf: int = 0
-    confirmed: int = 0
     general: frozenset[Lifted] = frozenset()
 
+    @property
+    def base(self) -> int:
+        """How many demonstrations had it as their whole goal."""
+        return _demonstrations(use for use in self.uses if use.base)
+
+    @property
+    def leaf(self) -> int:
+        """Of how many demonstrations nothing more general was kept."""
+        return _demonstrations(use for use in self.uses if use.leaf)
+
+    @property
+    def confirmed(self) -> int:
+        """How many teachers confirmed it as the goal."""
+        return _demonstrations(use for use in self.uses if use.confirmed)
+
     @cached_property
-    def bindings(self) -> tuple[tuple[Binding, tuple[Demonstration, ...]], ...]:
-        """Each binding once, sorted, with the demonstrations that had it."""
-        found: dict[Binding, list[Demonstration]] = defaultdict(list)
-        for binding, demonstration in self.uses:
-            found[binding].append(demonstration)
+    def bindings(self) -> tuple[tuple[Binding, tuple[Use, ...]], ...]:
+        """Each binding once, sorted, with its uses."""
+        found: dict[Binding, list[Use]] = defaultdict(list)
+        for use in self.uses:
+            found[use.binding].append(use)
         return tuple((binding, tuple(found[binding])) for binding in sorted(found))
 
 
@@ -77,6 +95,11 @@ class FrameSpace:
                 above[lower].add(key)
         return {key: frozenset(found) for key, found in above.items()}
 
+    @cached_property
+    def highest(self) -> int:
+        """The highest frequency of a hypothesis; 0 without any."""
+        return max((node.frequency for node in self.nodes.values()), default=0)
+
     def with_space(self, space: HypothesisSpace) -> FrameSpace:
         """The frame with one demonstration more; nodes it does not touch are shared."""
         spaces = list(self.spaces)
@@ -95,6 +118,10 @@ class FrameSpace:
         return FrameSpace(self.key, tuple(spaces))
 
 
+def _demonstrations(uses: Iterable[Use]) -> int:
+    return len({use.demonstration for use in uses})
+
+
 def _merge(nodes: dict[Lifted, HypothesisNode], space: HypothesisSpace) -> None:
     """Add one space to ``nodes``, replacing the nodes it touches."""
     lower: dict[int, set[Lifted]] = defaultdict(set)
@@ -102,14 +129,12 @@ def _merge(nodes: dict[Lifted, HypothesisNode], space: HypothesisSpace) -> None:
         lower[upper].add(space.nodes[one].literals)
     for index, (literals, bindings) in enumerate(space.nodes):
         old = nodes.get(literals) or HypothesisNode(literals)
-        new = [Use(binding, space.demonstration) for binding in bindings]
+        kind = (index == 0, index in space.general, index == 0 and space.confirmed)
+        new = [Use(binding, space.demonstration, *kind) for binding in bindings]
         nodes[literals] = HypothesisNode(
             literals,
             tuple(sorted([*old.uses, *new])),
             old.frequency + 1,
-            old.base + (index == 0),
-            old.leaf + (index in space.general),
-            old.confirmed + (index == 0 and space.confirmed),
             old.general | lower[index],
         )
 

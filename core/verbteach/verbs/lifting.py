@@ -10,6 +10,7 @@ renaming, so that equality means merging.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
 from typing import TypeAlias
 
 from verbteach.verbs.setting import Setting
@@ -49,10 +50,18 @@ def affordances_of(term: str) -> frozenset[str]:
     return frozenset(word for word in term[1 : term.rindex(">")].split("+") if word)
 
 
-def terms_of(hypothesis: Iterable[Literal]) -> tuple[str, ...]:
+@lru_cache(maxsize=65_536)
+def terms_of(hypothesis: Lifted) -> tuple[str, ...]:
     """The hypothesis's abstract terms, sorted: what a binding binds."""
     words = {word for literal in hypothesis for word in literal.fluent.args}
     return tuple(sorted(word for word in words if is_abstract(word)))
+
+
+@lru_cache(maxsize=65_536)
+def variables_of(hypothesis: Lifted) -> frozenset[int]:
+    """The numbers of the hypothesis's variables."""
+    words = (word for literal in hypothesis for word in literal.fluent.args)
+    return frozenset(int(word[1:]) for word in words if is_variable(word))
 
 
 def rename(literals: Iterable[Literal], names: Mapping[str, str]) -> Iterable[Literal]:
@@ -78,15 +87,17 @@ def lift(goal: Goal, grounding: Sequence[str], setting: Setting) -> tuple[Lifted
     return hypothesis, tuple(stands_for[term] for term in sorted(stands_for))
 
 
-def bind(hypothesis: Lifted, grounding: Sequence[str], binding: Binding) -> Goal | None:
-    """The goal for new arguments and things; None if it contradicts itself or lacks an argument."""
-    names = {variable(i): thing for i, thing in enumerate(grounding)}
+def bind(hypothesis: Lifted, arguments: Sequence[str | None], binding: Binding) -> Goal | None:
+    """The goal for new arguments and things; None if it contradicts itself or lacks an argument.
+
+    An argument may be None where the hypothesis does not speak of it.
+    """
+    if any(i >= len(arguments) or arguments[i] is None for i in variables_of(hypothesis)):
+        return None
+    names = {variable(i): thing for i, thing in enumerate(arguments) if thing is not None}
     names.update(zip(terms_of(hypothesis), binding, strict=True))
     goal = frozenset(rename(hypothesis, names))
-    fluents = {literal.fluent for literal in goal}
-    if len(fluents) < len(goal) or any(is_variable(a) for f in fluents for a in f.args):
-        return None
-    return goal
+    return goal if len({literal.fluent for literal in goal}) == len(goal) else None
 
 
 def _number(order: Sequence[str], labels: Mapping[str, str]) -> dict[str, str]:

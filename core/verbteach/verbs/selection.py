@@ -126,7 +126,7 @@ def _pooled(found: Sequence[GoalCandidate], pooling: Pooling) -> float:
 
 
 def _candidate(one: Evidence, score: float, share: float) -> GoalCandidate:
-    best = max(one.supports, key=lambda s: s.probability * len(s.demonstrations))
+    best = max(one.supports, key=lambda s: s.votes)
     return GoalCandidate(
         one.goal, score, share, best.node.literals, best.grounding, one.satisfied, one
     )

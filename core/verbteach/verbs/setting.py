@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from verbteach.world.scene import Scene
+from verbteach.world.task import Task
 
 
 @dataclass(frozen=True)
@@ -25,6 +26,16 @@ class Setting:
         constants = scene.domain.constants
         things = sorted(o for o in scene.objects if o not in constants)
         return cls(scene.domain.static, {o: scene.affordances(o) for o in things})
+
+    @classmethod
+    def of_task(cls, task: Task) -> Setting:
+        """Read a grounded task; equals the reading of a scene that it was grounded for."""
+        constants = task.domain.constants
+        things = {o: {type_} for o, type_ in sorted(task.objects.items()) if o not in constants}
+        for predicate, args in sorted(task.static):
+            if len(args) == 1 and args[0] in things:
+                things[args[0]].add(predicate)
+        return cls(task.domain.static, {o: frozenset(marks) for o, marks in things.items()})
 
     def alike(self, marks: frozenset[str]) -> tuple[str, ...]:
         """The things with exactly this affordance set, sorted."""

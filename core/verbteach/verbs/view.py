@@ -85,5 +85,10 @@ def _difference(key: FrameKey, old: FrameSpace | None, new: FrameSpace | None) -
 
 
 def _node(node: HypothesisNode) -> NodeView:
-    ids = tuple(dict.fromkeys(use.demonstration.id for use in node.uses))
-    return NodeView(node.literals, node.frequency, node.base, node.confirmed, tuple(sorted(ids)))
+    return NodeView(
+        node.literals,
+        node.frequency,
+        node.base,
+        node.confirmed,
+        tuple(sorted({use.demonstration.id for use in node.uses})),
+    )

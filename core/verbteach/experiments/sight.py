@@ -1,0 +1,83 @@
+"""What the robot sees of an instance: one draw of the noise for learning, another for testing.
+
+A draw is a function of the seed, the run, the instance and the occasion, so
+that no other instance, fold, policy or worker has a part in it.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from hashlib import sha256
+from typing import NamedTuple
+
+import numpy as np
+
+from verbteach.experiments.workroom import Workroom
+from verbteach.perception.belief import Belief, Exclusivity
+from verbteach.perception.noise import NoiseModel, perceive, perceive_both
+from verbteach.verbs.instance import Instance
+from verbteach.world.fluents import Fluent, State
+
+
+class Seen(NamedTuple):
+    """Beliefs before and after a demonstration."""
+
+    start: Belief
+    end: Belief
+
+
+@dataclass(frozen=True)
+class Sight:
+    """A sensor in an experiment.
+
+    ``elsewhere`` are, by document, the fluents that are true somewhere in it:
+    with what an action could make true at once they are what phantoms may be.
+    """
+
+    noise: NoiseModel = field(default_factory=NoiseModel)
+    seed: int = 0
+    run: int = 0
+    elsewhere: Mapping[str, frozenset[Fluent]] = field(default_factory=dict)
+    exclusive: tuple[Exclusivity, ...] = ()
+
+    @classmethod
+    def of(
+        cls, noise: NoiseModel, instances: Iterable[Instance], seed: int = 0, run: int = 0
+    ) -> Sight:
+        """Gather what is true elsewhere in each document from the instances' states."""
+        found: dict[str, set[Fluent]] = defaultdict(set)
+        for instance in instances if noise.phantoms else ():
+            found[instance.group] |= instance.start | instance.end
+        frozen = {group: frozenset(fluents) for group, fluents in found.items()}
+        return cls(noise, seed, run, frozen)
+
+    def demonstrated(self, instance: Instance, room: Workroom) -> Seen:
+        """Watch the demonstration."""
+        states = (instance.start, instance.end)
+        possible = self._possible(instance, room, *states)
+        rng = stream(self.seed, self.run, instance.id, "demonstration")
+        return Seen(*perceive_both(states, possible, self._noise(room), rng, self.exclusive))
+
+    def met(self, instance: Instance, room: Workroom) -> Belief:
+        """Look around when the command is given, to carry it out."""
+        possible = self._possible(instance, room, instance.start)
+        rng = stream(self.seed, self.run, instance.id, "command")
+        return perceive(instance.start, possible, self._noise(room), rng, self.exclusive)
+
+    def _noise(self, room: Workroom) -> NoiseModel:
+        """What things afford is known: it is not sensed."""
+        return self.noise.with_spreads(dict.fromkeys(sorted(room.setting.static), 0.0))
+
+    def _possible(self, instance: Instance, room: Workroom, *states: State) -> frozenset[Fluent]:
+        if not self.noise.phantoms:
+            return frozenset()
+        nearby = (room.one_step_away(state) for state in states)
+        return self.elsewhere.get(instance.group, frozenset()).union(*nearby)
+
+
+def stream(*names: int | str) -> np.random.Generator:
+    """A generator of its own for what the names tell apart."""
+    digest = sha256("\0".join(map(str, names)).encode()).digest()
+    return np.random.default_rng(np.frombuffer(digest, dtype=np.uint32).tolist())

@@ -1,0 +1,108 @@
+"""What can be said for and against one demonstration's vote for a goal, as numbers.
+
+The first five are those known of She & Chai (2016); the others are this
+project's. Each lies between 0 and 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import lru_cache
+
+from verbteach.verbs.application import Evidence, Situation, Support
+from verbteach.verbs.knowledge import Use
+from verbteach.world.fluents import Literal
+
+NAMES: tuple[str, ...] = (
+    "top",  # no more specific hypothesis is linked to this one
+    "highest",  # no hypothesis of the frame is more frequent
+    "satisfied",  # share of the goal's fluents that hold already
+    "other_things",  # share of its fluents about a thing that is no argument
+    "phrases",  # likeness of the noun phrases, on average
+    "best_phrase",  # likeness of the noun phrases that are most alike
+    "least",  # the demonstration kept nothing more general
+    "whole",  # it is all that the demonstration changed
+    "confirmed",  # its teacher confirmed it
+    "same_frame",  # the demonstration's command had as many noun phrases
+    "same_objects",  # share of the arguments that were the demonstration's too
+    "alike_objects",  # likeness of what the arguments and the demonstration's afford
+    "replaced",  # a thing of the demonstration's is missing here
+    "size",  # number of fluents, six or more being 1
+    "negative",  # share of fluents that must not hold
+)
+
+
+def votes(evidence: Evidence) -> Iterator[tuple[tuple[float, ...], float]]:
+    """For each demonstration that speaks for the goal: features (as ``NAMES``), probability."""
+    satisfied = evidence.satisfied
+    negative = sum(not literal.positive for literal in evidence.goal) / len(evidence.goal)
+    size = min(len(evidence.goal), _LARGE) / _LARGE
+    for support in evidence.supports:
+        node, frame = support.node, support.frame
+        top = float(not frame.specific[node.literals])
+        highest = float(node.frequency == frame.highest)
+        others = _other_things(node.literals)
+        for use in support.uses:
+            mean, best = _phrases(evidence.situation.phrases, use.demonstration.phrases)
+            same, alike = _objects(evidence.situation, support, use)
+            yield (
+                (
+                    top, highest, satisfied, others, mean, best, float(use.leaf), float(use.base),
+                    float(use.confirmed), float(frame.key == evidence.situation.frame), same,
+                    alike, float(support.replaced), size, negative,
+                ),
+                support.probability,
+            )  # fmt: skip
+
+
+_LARGE = 6
+
+
+@lru_cache(maxsize=65_536)
+def _other_things(hypothesis: tuple[Literal, ...]) -> float:
+    about = [any(word.startswith("<") for word in fluent.args) for fluent, _ in hypothesis]
+    return sum(about) / len(about)
+
+
+@lru_cache(maxsize=65_536)
+def _phrases(said: tuple[str, ...], known: tuple[str, ...]) -> tuple[float, float]:
+    """Mean and best Jaccard index of words, phrase by phrase; those without a partner count 0."""
+    pairs = [_overlap(a, b) for a, b in zip(said, known, strict=False)]
+    longer = max(len(said), len(known))
+    return (sum(pairs) / longer, max(pairs)) if pairs else (float(not longer),) * 2
+
+
+def _overlap(one: str, other: str) -> float:
+    words, others = set(one.split()), set(other.split())
+    union = len(words | others)
+    return len(words & others) / union if union else 1.0
+
+
+def _objects(situation: Situation, support: Support, use: Use) -> tuple[float, float]:
+    """How many arguments are the demonstration's own, and how alike they are, on average.
+
+    Of an argument that the hypothesis does not speak of, the belief's mean.
+    """
+    old = use.demonstration.grounding
+    longer = max(len(old), len(situation.phrases))
+    if not longer:
+        return 1.0, 1.0
+    same = alike = 0.0
+    own_frame = len(old) == len(situation.phrases)
+    for index, (thing, before) in enumerate(zip(support.arguments, old, strict=True)):
+        if thing is not None:
+            belief: Mapping[str, float] = {thing: 1.0}
+        else:
+            belief = situation.marginals[index] if own_frame else {}
+        same += belief.get(before, 0.0)
+        marks = situation.setting.affordances
+        alike += sum(p * _likeness(marks.get(o), marks.get(before)) for o, p in belief.items())
+    return same / longer, alike / longer
+
+
+@lru_cache(maxsize=65_536)
+def _likeness(one: frozenset[str] | None, other: frozenset[str] | None) -> float:
+    """The Jaccard index of two affordance sets; 0 where a thing is not here."""
+    if one is None or other is None:
+        return 0.0
+    return len(one & other) / len(one | other) if one | other else 1.0

@@ -1,0 +1,117 @@
+"""The fitted criterion: how much each demonstration's vote for a goal counts.
+
+She & Chai (2016) fit a regression on a development fifth of the training
+clauses and sum its scores over the goals of a plan; there many small goals
+outvote a good one. Here a vote counts exp(weights . features), a plan's share
+is its votes' share of all votes, and the weights are those whose shares expect
+the best SJI on the development commands: adding a vote to one plan takes from
+the others. Each command weighs the same, however many goals it has.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import exp
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verbteach.verbs.application import Evidence
+from verbteach.verbs.features import NAMES, votes
+
+_Array = NDArray[np.float64]
+
+
+class Vote(NamedTuple):
+    """A development vote: features, grounding probability, and the SJI its goal came to."""
+
+    features: tuple[float, ...]
+    probability: float
+    reward: float
+
+
+@dataclass(frozen=True)
+class FittingParameters:
+    """``ridge`` penalises squared weights, against a mean SJI; the ascent is Adam's."""
+
+    ridge: float = 0.01
+    steps: int = 100
+    rate: float = 0.1
+
+
+@dataclass(frozen=True)
+class Regression:
+    """Weights for ``NAMES``; all zero is the same as most frequent."""
+
+    weights: tuple[float, ...] = (0.0,) * len(NAMES)
+    name: str = "regression"
+
+    def score(self, evidence: Evidence) -> float:
+        """The goal's votes, each with its weight."""
+        return sum(p * exp(_dot(self.weights, features)) for features, p in votes(evidence))
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain JSON, weights by feature."""
+        return {"weights": dict(zip(NAMES, self.weights, strict=True))}
+
+    @classmethod
+    def from_json(cls, data: Mapping[str, Any]) -> Regression:
+        """Read weights; raise ``ValueError`` unless they are for exactly the features known."""
+        weights = data.get("weights")
+        if not isinstance(weights, Mapping) or set(weights) != set(NAMES):
+            raise ValueError(f"weights are needed for exactly these features: {', '.join(NAMES)}")
+        return cls(tuple(float(weights[name]) for name in NAMES))
+
+
+def fit(
+    commands: Sequence[Sequence[Vote]], parameters: FittingParameters | None = None
+) -> Regression:
+    """Fit to the votes of development commands, of goals that have a plan.
+
+    Commands whose votes all came to the same say nothing and are left out.
+    """
+    telling = [found for found in commands if len({vote.reward for vote in found}) > 1]
+    if not telling:
+        return Regression()
+    weights = _Development(telling).ascend(parameters or FittingParameters())
+    return Regression(tuple(round(float(weight), 6) for weight in weights))
+
+
+class _Development:
+    """The development votes as arrays; sums are numpy's own, so that threads change nothing."""
+
+    def __init__(self, commands: Sequence[Sequence[Vote]]) -> None:
+        rows = [vote for found in commands for vote in found]
+        self.features: _Array = np.array([vote.features for vote in rows])
+        self.offsets: _Array = np.log([vote.probability for vote in rows])
+        self.rewards: _Array = np.array([vote.reward for vote in rows])
+        self.starts = np.cumsum([0, *map(len, commands[:-1])])
+        self.lengths = np.array([len(found) for found in commands])
+
+    def ascend(self, parameters: FittingParameters) -> _Array:
+        """Adam's ascent from zero, a fixed number of steps."""
+        weights = np.zeros(len(NAMES))
+        mean, square = np.zeros_like(weights), np.zeros_like(weights)
+        for step in range(1, parameters.steps + 1):
+            slope = self._slope(weights) - 2 * parameters.ridge * weights
+            mean, square = 0.9 * mean + 0.1 * slope, 0.999 * square + 0.001 * slope**2
+            steep = np.sqrt(square / (1 - 0.999**step)) + 1e-8
+            weights = weights + parameters.rate * (mean / (1 - 0.9**step)) / steep
+        return weights
+
+    def _slope(self, weights: _Array) -> _Array:
+        """The gradient of the expected SJI, averaged over commands."""
+        heights = np.einsum("ij,j->i", self.features, weights) + self.offsets
+        highest = np.maximum.reduceat(heights, self.starts)
+        masses = np.exp(heights - np.repeat(highest, self.lengths))
+        shares = masses / np.repeat(np.add.reduceat(masses, self.starts), self.lengths)
+        expected = np.add.reduceat(shares * self.rewards, self.starts)
+        pull = shares * (self.rewards - np.repeat(expected, self.lengths))
+        slope: _Array = np.einsum("ij,i->j", self.features, pull) / len(self.lengths)
+        return slope
+
+
+def _dot(weights: tuple[float, ...], features: tuple[float, ...]) -> float:
+    return sum(weight * value for weight, value in zip(weights, features, strict=True))
