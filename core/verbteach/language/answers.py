@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from verbteach.language.tokens import COMMA, STOP, tokenise
-from verbteach.language.wordlist import phrase_list
+from verbteach.language.wordlist import phrase_list, word_set
 
 
 class Label(Enum):
@@ -43,7 +43,9 @@ _YES = """
     agreed, naturally, you bet, i think so, i believe so, i guess so, i suppose so, please do,
     go ahead, uh-huh, mhm, it is, it does, it should, they are, they do, they should, that is
     right, that is correct, that 's right, that 's correct, that 's it, that is it, that 's the
-    one, that is the one, you are right, very good, well done, perfect, good, great, y
+    one, that is the one, you are right, very good, well done, perfect, good, great, y,
+    sure thing, you should, you must, it should be, they should be, it must be, it has to, it has to
+    be, it is so, it has, it was, it will, they have, so it is, i am sure, sounds good
 """
 _NO = """
     no, nope, nah, nay, never, wrong, incorrect, false, negative, not really, not at all, not
@@ -54,7 +56,8 @@ _NO = """
     not right, that is not it, that 's not it, that is not the one, that 's not the one, you are
     wrong, you do not have to, you do not need to, do not, not necessary, not necessarily, no
     need, not that one, not this one, not that, not it, not good, not correct, not right, bad,
-    n, not so
+    n, not so, it 's not, you should not, you must not, it should not be, it must not be,
+    they should not be, it has not, it was not, not exactly, not now, not anymore, no longer
 """
 _UNSURE = """
     i do not know, do not know, dunno, i dunno, no idea, i have no idea, no clue, i have no
@@ -62,9 +65,14 @@ _UNSURE = """
     certain, maybe, perhaps, possibly, hard to say, hard to tell, can not tell, i can not tell,
     can not say, i can not say, can not see, i can not see, who knows, it depends, depends,
     could be, might be, it could be, it might be, idk, whatever, i have not looked, i forgot, i
-    do not remember, i do not care, it does not matter
+    do not remember, i do not care, it does not matter, i can not see it, i do not see it, i could
+    not say, beats me, how should i know, ask me something else
 """
-_BETWEEN = frozenset({COMMA, STOP, "please", "thanks", "well", "oh", "hm", "um", "er"})
+_NEITHER = phrase_list(
+    "no problem, no worries, no matter, not only, not just, right away, right now, sure enough"
+)
+"""Begin like a yes or a no and are none."""
+_BETWEEN = frozenset({COMMA, STOP}) | word_set("please thanks well oh hm hmm mm um uh er ah eh")
 _LINKS = frozenset({"but", "and", "because", "since", "as", "so", "rather", "instead"})
 
 
@@ -102,6 +110,8 @@ def _leading(tokens: Sequence[str]) -> tuple[Label, int] | None:
 
     "it is the red one" and "right of the sink" say neither yes nor no.
     """
+    if any(tuple(tokens[: len(words)]) == words for words in _NEITHER):
+        return None
     for length in range(min(_LONGEST, len(tokens)), 0, -1):
         label = _PHRASES.get(tuple(tokens[:length]))
         if label is not None:
