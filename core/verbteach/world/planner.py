@@ -31,7 +31,7 @@ class PlannerConfig:
     """
 
     expansions: int = 2000
-    boost: int = 1000
+    boost: int = 20
     remembered: int = 20_000
 
     @property

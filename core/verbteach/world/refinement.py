@@ -27,7 +27,11 @@ class EncodedGoal(NamedTuple):
 
 def refined(bits: int, plan: Sequence[GroundAction], goal: EncodedGoal) -> list[GroundAction]:
     """Return the plan from ``bits`` without needless steps, each step near its use."""
-    return _gathered(bits, without_needless(bits, plan, goal), goal)
+    kept = without_needless(bits, plan, goal)
+    chained = _chained(kept, _links(bits, kept))
+    if _runs(bits, chained, goal):
+        return chained
+    return _gathered(bits, kept, goal)
 
 
 def without_needless(
@@ -72,6 +76,32 @@ def _gathered(bits: int, plan: list[GroundAction], goal: EncodedGoal) -> list[Gr
         if _runs(bits, moved, goal):
             plan, links = moved, _links(bits, moved)
     return plan
+
+
+def _chained(plan: list[GroundAction], links: list[tuple[int, int]]) -> list[GroundAction]:
+    """Order the plan by what serves what: one purpose after another, its longest chain first.
+
+    Whether the order can be carried out is for the caller to see.
+    """
+    makers: list[list[int]] = [[] for _ in plan]
+    for maker, use in links:
+        makers[use].append(maker)
+    depth: list[int] = []
+    for serving in makers:
+        depth.append(1 + max((depth[maker] for maker in serving), default=0))
+    order: list[int] = []
+
+    def visit(step: int) -> None:
+        if step not in order:
+            for maker in sorted(makers[step], key=lambda m: (-depth[m], m)):
+                visit(maker)
+            order.append(step)
+
+    serving_others = {maker for maker, _ in links}
+    for step in range(len(plan)):
+        if step not in serving_others:
+            visit(step)
+    return [plan[step] for step in order]
 
 
 def _links(bits: int, plan: Sequence[GroundAction]) -> list[tuple[int, int]]:

@@ -24,7 +24,7 @@ class SearchLimits:
     """``expansions`` bounds the states judged; ``boost`` is what progress earns (in turns)."""
 
     expansions: int = 2000
-    boost: int = 1000
+    boost: int = 20
 
 
 @dataclass(frozen=True)
