@@ -7,10 +7,12 @@ lexicon's wording of the fluents, so that any domain's predicates will do.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
+from verbteach.language.fallback import fluent_wording
 from verbteach.language.lexicon import FluentWording, Lexicon
 from verbteach.language.morphology import plural
 from verbteach.world.fluents import Fluent, State
@@ -155,10 +157,11 @@ class Looks:
     def _relations(self) -> tuple[tuple[str, str, bool], ...]:
         """Two-place predicates with the words that stand between their arguments."""
         found = []
-        for predicate, wording in self.lexicon.fluents.items():
-            words = _between(wording)
-            if words and len(self._parameters(predicate)) == 2:
-                found.append((predicate, *words))
+        for predicate, declared in self.scene.domain.predicates.items():
+            if len(declared.parameters) == 2:
+                wording = self.lexicon.fluents.get(predicate) or fluent_wording(predicate, 2)
+                words = _between(wording)
+                found += [(predicate, *words)] if words else []
         return tuple(found)
 
 
@@ -205,6 +208,8 @@ def _between(wording: FluentWording) -> tuple[str, bool] | None:
     """
     sentence = wording.is_true
     if sentence in {"{1} is in {0}", "{0} contains {1}", "{0} has {1}", "{0} holds {1}"}:
+        return "with", False
+    if re.fullmatch(r"the \w+ of \{0\} is \{1\}", sentence):
         return "with", False
     if sentence.startswith("{0} is ") and sentence.endswith(" {1}"):
         return sentence.removeprefix("{0} is ").removesuffix(" {1}"), False
