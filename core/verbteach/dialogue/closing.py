@@ -12,7 +12,11 @@ def close(draft: Draft, outcome: Outcome) -> None:
     episode = draft.episode
     spoken = tuple(zip(episode.phrases, episode.best_objects, strict=True))
     draft.say(CloseEpisode(outcome))
-    draft.remember(episode=None, spoken=spoken or draft.state.spoken)
+    draft.remember(
+        episode=None,
+        spoken=spoken or draft.state.spoken,
+        referents=(*draft.state.referents, *spoken),
+    )
     draft.count(
         episodes=1,
         successes=int(outcome is Outcome.EXECUTED),

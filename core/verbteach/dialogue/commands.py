@@ -6,7 +6,12 @@ from verbteach.dialogue import execution
 from verbteach.dialogue.acts import AskRephrase, AwaitCommand, StartClause
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.moves import Phase
-from verbteach.dialogue.understanding import clause_text, read_command, read_reply
+from verbteach.dialogue.understanding import (
+    attached,
+    clause_text,
+    read_command,
+    read_reply,
+)
 
 
 def hear(draft: Draft, text: str) -> None:
@@ -25,7 +30,7 @@ def hear(draft: Draft, text: str) -> None:
         draft.wait(AskRephrase(reading.problem), Phase.COMMAND)
         return
     draft.reading = "; ".join(clause_text(frame) for frame in reading.frames)
-    draft.remember(clauses=reading.frames)
+    draft.remember(clauses=reading.frames, referents=())
     go_on(draft)
 
 
@@ -39,4 +44,4 @@ def go_on(draft: Draft) -> None:
     draft.remember(clauses=tuple(rest))
     if several:
         draft.say(StartClause(clause_text(frame)))
-    execution.begin(draft, clause_text(frame), frame)
+    execution.begin(draft, clause_text(frame), attached(draft, frame))

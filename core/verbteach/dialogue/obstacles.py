@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from verbteach.dialogue.setting import Setting
 from verbteach.dialogue.speech import Speech
+from verbteach.language.morphology import listing
 from verbteach.world.fluents import State
 from verbteach.world.plan import Action
 from verbteach.world.simulator import (
@@ -22,7 +23,7 @@ def obstacle(setting: Setting, world: State, action: Action) -> str:
     """What stands in the way of ``action`` in ``world``; empty where it can be done."""
     speech = Speech.of(setting, world)
     reasons = [_reason(one, action, speech) for one in explain(setting.task, world, action)]
-    return speech.listing(reasons)
+    return listing(reasons)
 
 
 def _reason(reason: Obstacle, action: Action, speech: Speech) -> str:
@@ -40,4 +41,4 @@ def _reason(reason: Obstacle, action: Action, speech: Speech) -> str:
             both = f"{speech.thing(left)} and {speech.thing(right)}"
             return f"{both} must be the same" if positive else f"{both} cannot be the same"
         case Unmet(literal=literal):
-            return speech.holds(literal._replace(positive=not literal.positive))
+            return speech.words.why_not([literal])

@@ -103,7 +103,13 @@ class Robot:
     def _go_to(self, scene_id: str) -> RobotTurn:
         world = self.settings(scene_id).scene.initial
         state = replace(
-            self.state, scene=scene_id, world=world, spoken=(), clauses=(), suggested=""
+            self.state,
+            scene=scene_id,
+            world=world,
+            spoken=(),
+            referents=(),
+            clauses=(),
+            suggested="",
         )
         return self._turn(state, await_command)
 

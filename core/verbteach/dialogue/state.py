@@ -115,9 +115,10 @@ class RobotState:
     """Everything that a fold over a session's events carries.
 
     ``experience`` counts how often a noun phrase meant an object, over all
-    scenes. ``spoken`` are the last command's phrases with their objects, for
-    pronouns; ``clauses`` the clauses of a command still to come; ``suggested``
-    a command the robot has offered instead of one it could not read.
+    scenes. ``spoken`` are the last clause's phrases with their objects, for
+    pronouns, and ``referents`` those of this command's earlier clauses;
+    ``clauses`` are the clauses still to come; ``suggested`` is a command the
+    robot has offered instead of one it could not read.
     """
 
     scene: str
@@ -127,6 +128,7 @@ class RobotState:
     experience: Mapping[tuple[str, str], int] = field(default_factory=dict)
     episode: EpisodeState | None = None
     spoken: tuple[tuple[str, str], ...] = ()
+    referents: tuple[tuple[str, str], ...] = ()
     clauses: tuple[VerbFrame, ...] = ()
     suggested: str = ""
     totals: Totals = field(default_factory=Totals)
@@ -150,6 +152,7 @@ def state_to_json(state: RobotState) -> dict[str, Any]:
         "acts": [robot_act_to_json(act) for act in state.turn.acts],
         "texts": list(state.turn.texts),
         "spoken": [list(pair) for pair in state.spoken],
+        "referents": [list(pair) for pair in state.referents],
         "clauses": [repr(clause) for clause in state.clauses],
         "suggested": state.suggested,
         "totals": vars(state.totals),

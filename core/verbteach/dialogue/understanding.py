@@ -8,12 +8,15 @@ from dataclasses import dataclass
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.grounding import GroundingBelief
 from verbteach.dialogue.setting import Setting, UnknownObjectError
+from verbteach.language.anaphora import resolve
 from verbteach.language.answers import read_answer
+from verbteach.language.attachment import attach
 from verbteach.language.frames import Argument, NounPhrase, VerbFrame
-from verbteach.language.grammar import Unread, explain_unread, parse
+from verbteach.language.grammar import EMPTY_LEXICON, Unread, explain_unread, parse
 from verbteach.language.looks import Looks
 from verbteach.language.refer import Candidates, refer
 from verbteach.language.typos import suggest
+from verbteach.language.wording import Wording
 from verbteach.world.plan import Action
 
 _LONGEST_COMMAND = 1000
@@ -55,7 +58,7 @@ def read_command(draft: Draft, text: str) -> CommandReading:
     if not frames:
         why = explain_unread(text, setting.lexicon, setting.vocabulary)
         return CommandReading((), _UNREAD[why] if why else _UNREAD[Unread.NO_VERB])
-    return _verb_typo(draft, text, frames) or CommandReading(frames)
+    return _verb_typo(draft, text, frames) or CommandReading(resolve(frames))
 
 
 def _verb_typo(draft: Draft, text: str, frames: tuple[VerbFrame, ...]) -> CommandReading | None:
@@ -72,11 +75,12 @@ def _verb_typo(draft: Draft, text: str, frames: tuple[VerbFrame, ...]) -> Comman
 
 def clause_text(frame: VerbFrame) -> str:
     """The clause in words."""
-    words = [frame.verb]
-    for argument in frame.arguments:
-        words += [] if argument.role in {"obj", "loc"} else [argument.role]
-        words.append(argument.phrase.text)
-    return " ".join(words)
+    return Wording(EMPTY_LEXICON, str).clause(frame)
+
+
+def attached(draft: Draft, frame: VerbFrame) -> VerbFrame:
+    """The frame with its prepositional phrases where the scene says that they belong."""
+    return attach(frame, _looks(draft), [thing for _, thing in draft.state.spoken])
 
 
 def read_reply(text: str) -> Reply:
@@ -93,12 +97,17 @@ def ground_phrases(draft: Draft, frame: VerbFrame) -> tuple[GroundingBelief, fro
     """The grounding belief at the start, and the phrases whose words had to be guessed.
 
     What a phrase has meant before speaks for it (section 4.3: *Grd* is
-    initialised with existing knowledge).
+    initialised with existing knowledge). In one command a phrase keeps the
+    meaning that it had in an earlier clause.
     """
     looks = _looks(draft)
     weights: dict[str, Mapping[str, float]] = {}
     guessed = set()
+    same = dict(draft.state.referents)
     for argument in frame.arguments:
+        if argument.phrase.text in same:
+            weights[argument.phrase.text] = {same[argument.phrase.text]: 1.0}
+            continue
         found = _candidates(draft, argument, looks)
         if not found:
             found = _guesses(draft, argument, looks)
@@ -135,7 +144,7 @@ def find_objects(draft: Draft, phrase: str, text: str) -> Found:
         return Found((), "I did not understand that. Name the thing, or point at it.")
     current = [thing for thing, _ in draft.episode.grounding[phrase]]
     spoken = [*(thing for _, thing in draft.state.spoken), *current[:1]]
-    found = refer(told, _looks(draft), spoken)
+    found = refer(told, _looks(draft), spoken, listed=current)
     among = tuple(row for row in found if row[0] in current)
     if among or found:
         return Found(among or found)

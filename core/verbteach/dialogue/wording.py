@@ -16,7 +16,9 @@ from verbteach.dialogue.demonstration import ordered
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.speech import Speech
 from verbteach.dialogue.state import EpisodeState
-from verbteach.world.fluents import Goal, Literal
+from verbteach.language.distinguish import glimpse
+from verbteach.language.morphology import listing
+from verbteach.world.fluents import Goal
 
 
 @dataclass(frozen=True)
@@ -30,12 +32,12 @@ class _About:
     @property
     def doing(self) -> str:
         """The command as a gerund, "boiling the water"."""
-        return self.speech.gerund(self.episode.frame) if self.episode else "that"
+        return self.speech.words.doing(self.episode.frame) if self.episode else "that"
 
     @property
     def todo(self) -> str:
         """The command as it would follow "to": "boil the water"."""
-        return self.speech.clause(self.episode.frame) if self.episode else "do that"
+        return self.speech.words.clause(self.episode.frame) if self.episode else "do that"
 
 
 def word_turn(draft: Draft) -> tuple[str, ...]:
@@ -70,41 +72,44 @@ def _np_grd_whq(act: acts.NpGrdWhq, about: _About) -> str:
         return f"Which is {_the(act.np)}, can you show me?"
     things = [about.speech.thing(thing) for thing, _ in found[:6]]
     more = " and others" if len(found) > 6 else ""
-    return (
-        f"Which is {_the(act.np)}, can you show me?"
-        f" It could be {about.speech.listing(things, 'or')}{more}."
-    )
+    return f"Which is {_the(act.np)}, can you show me? It could be {listing(things, 'or')}{more}."
 
 
 def _np_grd_ynq(act: acts.NpGrdYnq, about: _About) -> str:
-    return f"I see {about.speech.thing(act.object)}, is that {_the(act.np)}?"
+    if about.episode and act.np in about.episode.guessed:
+        return f"I do not know {_quoted(act.np)}. Do you mean {about.speech.thing(act.object)}?"
+    return f"I see {glimpse(act.object, about.speech.looks)}, is that {_the(act.np)}?"
 
 
 def _bulk(act: acts.BulkNpGrdYnq, about: _About) -> str:
     parts = [f"{_the(np)} is {about.speech.thing(thing)}" for np, thing in act.pairs]
-    return f"I think {about.speech.listing(parts)}, am I right?"
+    return f"I think {listing(parts)}, am I right?"
 
 
 def _env_pred_ynq(act: acts.EnvPredYnq, about: _About) -> str:
-    return about.speech.question(Literal(act.fluent))
+    return _capital(about.speech.words.question(act.fluent))
 
 
 def _goal_pred_ynq(act: acts.GoalPredYnq, about: _About) -> str:
-    return f"Is it true that {about.speech.should(act.literal)} at the end?"
+    return f"Is it true that {about.speech.words.should(act.literal)} at the end?"
 
 
 def _pred_change_ynq(act: acts.PredChangeYnq, about: _About) -> str:
-    return f"{_capital(about.speech.holds(act.literal))} after what you did, is that correct?"
+    return (
+        f"{_capital(about.speech.words.describe(act.literal))} after what you did, is that correct?"
+    )
 
 
 def _goal_relevant_ynq(act: acts.GoalRelevantYnq, about: _About) -> str:
-    return f"So after {about.doing}, is it part of it that {about.speech.should(act.literal)}?"
+    return (
+        f"So after {about.doing}, is it part of it that {about.speech.words.should(act.literal)}?"
+    )
 
 
 def _select_hypo(act: acts.SelectHypo, about: _About) -> str:
-    goal = about.speech.listing([about.speech.holds(one) for one in ordered(act.goal)])
+    goal = listing([about.speech.words.describe(one) for one in ordered(act.goal)])
     done = about.draft.trace.done if about.draft.trace else act.plan
-    steps = about.speech.listing([about.speech.action(step) for step in done])
+    steps = listing([about.speech.words.action(step) for step in done])
     did = f" I {steps}." if steps else ""
     return f"I take {about.doing} to mean that {goal}.{did} Was that right?"
 
@@ -112,7 +117,7 @@ def _select_hypo(act: acts.SelectHypo, about: _About) -> str:
 def _report_execution(act: acts.ReportExecution, about: _About) -> str:
     if act.failed is None:
         return "Done."
-    return f"I could not {about.speech.action(act.failed)}: {act.obstacle}. I stopped there."
+    return f"I could not {about.speech.words.action(act.failed)}: {act.obstacle}. I stopped there."
 
 
 def _request_demonstration(act: acts.RequestDemonstration, about: _About) -> str:
@@ -121,10 +126,10 @@ def _request_demonstration(act: acts.RequestDemonstration, about: _About) -> str
 
 
 def _observe_step(act: acts.ObserveStep, about: _About) -> str:
-    step = f"I see: {about.speech.action(act.action)}."
+    step = f"I see: {about.speech.words.action(act.action)}."
     if not act.change:
         return f"{step} So far nothing is different from before."
-    changes = "; ".join(about.speech.became(literal) for literal in act.change)
+    changes = "; ".join(about.speech.words.became(literal) for literal in act.change)
     return f"{step} So far: {changes}."
 
 
@@ -135,9 +140,8 @@ def _refuse_step(act: acts.RefuseStep, about: _About) -> str:
 def _include_fluent(act: acts.IncludeFluent, about: _About) -> str:
     if not act.goal:
         return f"Then {about.doing} asks for nothing at all. Keep something, show me again or skip."
-    must = about.speech.listing([about.speech.must(one) for one in ordered(act.goal)])
-    need_not = _need_not(about, act.goal)
-    return f"So after {about.doing}, {must}.{need_not} Right?"
+    must = about.speech.words.goal(act.goal)
+    return f"So after {about.doing}, {must}.{_need_not(about, act.goal)} Right?"
 
 
 def _need_not(about: _About, goal: Goal) -> str:
@@ -146,8 +150,8 @@ def _need_not(about: _About, goal: Goal) -> str:
     rest = ordered(read_back.whole - goal) if read_back else ()
     if not rest:
         return ""
-    parts = about.speech.listing([about.speech.became(one) for one in rest])
-    return f" I take it as the way there, not as the goal, that {parts}."
+    changes = about.speech.words.changes(rest)
+    return f" I take it as the way there, not as the goal, that {changes}."
 
 
 def _revise_goal(act: acts.ReviseGoal, about: _About) -> str:

@@ -1,0 +1,274 @@
+"""The execution phase as a decision process: <l, e, KB, Grd, Goal>, its acts and their features.
+
+She & Chai (2017), section 4.3, acts 1 to 5 of Table 2. A grounding answer or
+one about the environment changes the goal belief at once.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+
+from verbteach.dialogue.acts import (
+    DemonstrationReason,
+    EnvPredYnq,
+    GoalPredYnq,
+    NpGrdWhq,
+    NpGrdYnq,
+    RequestDemonstration,
+    RobotAct,
+    SelectHypo,
+)
+from verbteach.dialogue.decision import Candidate
+from verbteach.dialogue.grounding import GroundingBelief
+from verbteach.dialogue.inquiry import (
+    InquiryParameters,
+    Label,
+    Reply,
+    candidates,
+    doubt,
+    grounding_questions,
+    joint_chances,
+    settle,
+)
+from verbteach.perception.belief import Belief
+from verbteach.verbs.pool import GoalPool, PoolSource
+from verbteach.world.fluents import Fluent, Goal, Literal, State
+
+
+@dataclass(frozen=True)
+class ExecutionInquiry:
+    """One command between its request and the choice of a goal.
+
+    ``prior`` is the grounding as answered so far; ``grounding`` adds what the
+    goal belief makes of it. ``static`` are the facts that are not perceived.
+    """
+
+    source: PoolSource
+    static: State
+    belief: Belief
+    prior: GroundingBelief
+    pool: GoalPool
+    parameters: InquiryParameters = field(default_factory=InquiryParameters)
+    asked: tuple[RobotAct, ...] = ()
+
+    @classmethod
+    def begin(
+        cls,
+        source: PoolSource,
+        static: State,
+        belief: Belief,
+        grounding: GroundingBelief,
+        parameters: InquiryParameters | None = None,
+    ) -> ExecutionInquiry:
+        """Take a command in."""
+        chances = joint_chances(grounding, source.analogies.groundings)
+        pool = source.pool(static | belief.believed(), chances)
+        return cls(source, static, belief, grounding, pool, parameters or InquiryParameters())
+
+    @property
+    def believed(self) -> State:
+        """What the robot takes for true: plans start here."""
+        return self.static | self.belief.believed()
+
+    @cached_property
+    def grounding(self) -> GroundingBelief:
+        """*Grd*: the marginals of the joint groundings, given all that is known."""
+        if self.pool.empty:
+            return self.prior
+        weights: dict[str, dict[str, float]] = {phrase: {} for phrase in self.prior.names}
+        pairs = zip(self.pool.groundings, self.pool.referents.tolist(), strict=True)
+        for objects, chance in pairs:
+            for phrase, thing in zip(self.prior.names, objects, strict=True):
+                weights[phrase][thing] = weights[phrase].get(thing, 0.0) + chance
+        kept = GroundingBelief.of(weights)
+        return GroundingBelief(kept.phrases, self.prior.settled)
+
+    @cached_property
+    def best(self) -> Goal:
+        """The goal with the highest expected Jaccard index; empty where nothing is known."""
+        goals = self.pool.goals(1)
+        return goals[0][0] if goals else frozenset()
+
+    def candidates(self) -> tuple[Candidate, ...]:
+        """The acts to choose from, questions first; never none."""
+        if self.pool.empty or not self.best:
+            shown = RequestDemonstration(DemonstrationReason.NO_HYPOTHESIS)
+            return (Candidate(shown, {"request_demonstration": 1.0}),)
+        found: list[Candidate] = []
+        if len(self.asked) < self.parameters.cap:
+            found = candidates(self._questions(), self._asking())
+        return (*found, self._selection())
+
+    def after(self, act: RobotAct, reply: Reply) -> ExecutionInquiry:
+        """The state after a reply; an unsure one only uses the question up."""
+        asked = (*self.asked, act)
+        if reply.label is Label.UNSURE:
+            return replace(self, asked=asked)
+        match act:
+            case NpGrdWhq() | NpGrdYnq():
+                prior = settle(self.prior, act, reply)
+                chances = joint_chances(prior, self.pool.groundings)
+                return replace(self, prior=prior, pool=self.pool.regrounded(chances), asked=asked)
+            case GoalPredYnq(literal=literal):
+                number = self.pool.literals.index(literal)
+                pool = self.pool.answered(number, reply.label is Label.YES)
+                return replace(self, pool=pool, asked=asked)
+            case EnvPredYnq(fluent=fluent):
+                return self._seen(fluent, reply.label is Label.YES, asked)
+        raise TypeError(f"{act!r} is no question of this phase")
+
+    def _seen(self, fluent: Fluent, truth: bool, asked: tuple[RobotAct, ...]) -> ExecutionInquiry:
+        belief = self.belief.answered(fluent, truth)
+        pool = self.source.pool(self.static | belief.believed(), self.pool.chances)
+        number = {literal: index for index, literal in enumerate(pool.literals)}
+        for old, answer in self.pool.answers:
+            if self.pool.literals[old] in number:
+                pool = pool.answered(number[self.pool.literals[old]], answer)
+        return replace(self, belief=belief, pool=pool, asked=asked)
+
+    def _questions(self) -> Iterator[tuple[RobotAct, dict[str, float]]]:
+        for act, features in grounding_questions(
+            self.grounding, self.asked, self.parameters.object_questions
+        ):
+            yield act, {**features, "ask.gain": self._grounding_gain(act)}
+        yield from self._environment_questions()
+        yield from self._goal_questions()
+
+    def _grounding_gain(self, act: RobotAct) -> float:
+        groundings = self.pool.groundings
+        if isinstance(act, NpGrdYnq):
+            place = self.prior.names.index(act.np)
+            yes = np.array([objects[place] == act.object for objects in groundings])
+            return self.pool.grounding_gain((yes, ~yes))
+        if isinstance(act, NpGrdWhq):
+            place = self.prior.names.index(act.np)
+            things = sorted({objects[place] for objects in groundings})
+            column = np.array([objects[place] for objects in groundings])
+            return self.pool.grounding_gain([column == thing for thing in things])
+        return 0.0
+
+    def _environment_questions(self) -> Iterator[tuple[RobotAct, dict[str, float]]]:
+        """Doubtful fluents about the things that the best goal or a likely one speaks of."""
+        wanted = self._relevance()
+        found = []
+        for fluent, confidence in self.belief.items():
+            question = EnvPredYnq(fluent)
+            relevance = max((wanted.get(word, 0.0) for word in fluent.args), default=0.0)
+            unsure = min(confidence, 1.0 - confidence) > self.parameters.doubt
+            if unsure and relevance > 0.0 and question not in self.asked:
+                found.append((-doubt(confidence) * relevance, fluent, confidence, relevance))
+        for _, fluent, confidence, relevance in sorted(found)[
+            : self.parameters.environment_questions
+        ]:
+            yield (
+                EnvPredYnq(fluent),
+                {
+                    "env_pred_ynq": 1.0,
+                    "env_pred_ynq.doubt": doubt(confidence),
+                    "env_pred_ynq.unbelieved": float(confidence <= 0.5),
+                    "env_pred_ynq.relevance": relevance,
+                },
+            )
+
+    def _relevance(self) -> dict[str, float]:
+        """How likely what is meant speaks of a thing: its likeliest literal's probability."""
+        things = self.source.analogies.setting.affordances
+        wanted: dict[str, float] = {}
+        for literal, chance in zip(self.pool.literals, self.pool.marginals.tolist(), strict=True):
+            for word in literal.fluent.args:
+                if word in things:
+                    wanted[word] = max(wanted.get(word, 0.0), chance)
+        return {word: chance for word, chance in wanted.items() if chance > 0.2}
+
+    def _goal_questions(self) -> Iterator[tuple[RobotAct, dict[str, float]]]:
+        chances = self.pool.marginals
+        least = np.minimum(chances, 1.0 - chances)
+        done = {number for number, _ in self.pool.answers}
+        asked = {act.literal for act in self.asked if isinstance(act, GoalPredYnq)}
+        left = self.parameters.goal_questions
+        for number in np.argsort(-least, kind="stable").tolist():
+            if not left or least[number] <= self.parameters.doubt:
+                return
+            literal = self.pool.literals[number]
+            if number not in done and literal not in asked:
+                left -= 1
+                yield GoalPredYnq(literal), self._goal_features(number)
+
+    def _goal_features(self, number: int) -> dict[str, float]:
+        chance = self.pool.yes_chance(number)
+        return {
+            "goal_pred_ynq": 1.0,
+            "goal_pred_ynq.probability": chance,
+            "goal_pred_ynq.doubt": doubt(chance),
+            "ask.gain": self.pool.literal_gain(number),
+        }
+
+    def _asking(self) -> dict[str, float]:
+        value, certainty = float(self.pool.decision.values.max()), self.pool.certainty
+        return {
+            "ask.value": value,
+            "ask.certainty": certainty,
+            "ask.spread": self._spread,
+            "ask.asked": len(self.asked) / 10.0,
+        }
+
+    @cached_property
+    def _spread(self) -> float:
+        """How many literals are in doubt, growing ever more slowly."""
+        chances = self.pool.marginals
+        return float(np.log1p(np.minimum(chances, 1.0 - chances).sum()))
+
+    def _selection(self) -> Candidate:
+        value = float(self.pool.decision.values.max())
+        held = math.prod(self._holding(literal) for literal in sorted(self.best))
+        features = {
+            "select_hypo": 1.0,
+            "select_hypo.value": value,
+            "select_hypo.value_squared": value * value,
+            "select_hypo.certainty": self.pool.certainty,
+            "select_hypo.unsatisfied": 1.0 - held,
+            "select_hypo.similarity": self.source.nearest,
+            "select_hypo.spread": self._spread,
+            "select_hypo.asked": len(self.asked) / 10.0,
+        }
+        return Candidate(SelectHypo(self.best, "expected", ()), features)
+
+    def _holding(self, literal: Literal) -> float:
+        confidence = self.belief[literal.fluent]
+        return confidence if literal.positive else 1.0 - confidence
+
+
+FEATURES: dict[str, str] = {
+    "np_grd_whq": "asks which object a noun phrase is",
+    "np_grd_whq.entropy": "entropy of the phrase's candidates, in nats (Table 3)",
+    "np_grd_whq.many": "the phrase has more than 4 candidates (Table 3)",
+    "np_grd_ynq": "asks whether a noun phrase is an object",
+    "np_grd_ynq.probability": "probability that it is (Table 3)",
+    "env_pred_ynq": "asks whether a fluent holds",
+    "env_pred_ynq.doubt": "1 at confidence one half, 0 at 0 and 1",
+    "env_pred_ynq.unbelieved": "the confidence is not above one half",
+    "env_pred_ynq.relevance": "how likely what is meant speaks of one of the fluent's things",
+    "goal_pred_ynq": "asks whether a literal should hold",
+    "goal_pred_ynq.probability": "probability of a yes",
+    "goal_pred_ynq.doubt": "1 where yes and no are equally likely",
+    "ask.gain": "how much the answer raises the expected Jaccard index of the best goal",
+    "ask.value": "expected Jaccard index of the best goal now, for any question",
+    "ask.certainty": "probability that the best goal is exactly right, for any question",
+    "ask.spread": "log(1 + expected number of literals judged wrongly), for any question",
+    "ask.asked": "questions asked so far / 10, for any question",
+    "select_hypo": "executes the best goal",
+    "select_hypo.value": "its expected Jaccard index",
+    "select_hypo.value_squared": "the square of that",
+    "select_hypo.certainty": "probability that it is exactly right",
+    "select_hypo.unsatisfied": "probability that it does not hold already (Table 3)",
+    "select_hypo.similarity": "likeness of the noun phrases to the nearest demonstration (Table 3)",
+    "select_hypo.spread": "log(1 + expected number of literals judged wrongly)",
+    "select_hypo.asked": "questions asked so far / 10",
+    "request_demonstration": "asks to be shown, where nothing is known",
+}
+"""The execution phase's features by name; each is 0 where it does not apply."""

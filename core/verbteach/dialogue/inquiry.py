@@ -1,0 +1,133 @@
+"""What both phases of asking share: a reply, the acts still open, and how answers settle a phrase.
+
+An inquiry is a phase's state as an immutable value: it proposes candidate acts
+with named features and takes replies in. Live dialogue, experiments and
+training all use it. It does not know who answers or how an act is chosen.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from enum import Enum
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verbteach.dialogue.acts import NpGrdWhq, NpGrdYnq, RobotAct
+from verbteach.dialogue.decision import Candidate
+from verbteach.dialogue.grounding import GroundingBelief
+
+
+class Label(Enum):
+    """What an answer comes to; ``OBJECTS`` answers a wh-question."""
+
+    YES = "yes"
+    NO = "no"
+    UNSURE = "unsure"
+    OBJECTS = "objects"
+
+
+class Reply(NamedTuple):
+    """An answer as understood."""
+
+    label: Label
+    objects: tuple[str, ...] = ()
+
+    @property
+    def positive(self) -> bool:
+        """Whether it counts as a yes when the question is priced."""
+        return self.label in {Label.YES, Label.OBJECTS}
+
+    @classmethod
+    def of(cls, truth: bool) -> Reply:
+        """Yes or no."""
+        return cls(Label.YES if truth else Label.NO)
+
+
+@dataclass(frozen=True)
+class InquiryParameters:
+    """How many acts of each kind are candidates at a step, the best few.
+
+    ``goal_questions`` and ``environment_questions`` in execution,
+    ``change_questions`` in learning, ``object_questions`` for each noun
+    phrase. Literals less doubtful than ``doubt`` (the lesser of p and 1 - p)
+    are never asked about. ``cap`` ends the questions of a phase.
+    ``goal_relevance`` adds the act that the paper's Table 2 lacks.
+    """
+
+    goal_questions: int = 5
+    environment_questions: int = 2
+    change_questions: int = 4
+    object_questions: int = 1
+    doubt: float = 0.02
+    cap: int = 12
+    goal_relevance: bool = False
+
+
+def grounding_questions(
+    grounding: GroundingBelief, asked: Sequence[RobotAct], most: int
+) -> Iterator[tuple[RobotAct, dict[str, float]]]:
+    """Table 2's acts 1 and 2 with Table 3's features, for phrases that are not settled."""
+    for phrase in grounding.names:
+        objects = grounding[phrase]
+        if phrase in grounding.settled or len(objects) < 2:
+            continue
+        which = NpGrdWhq(phrase)
+        if which not in asked:
+            yield which, which_features(grounding, phrase)
+        for thing, chance in objects[:most]:
+            question = NpGrdYnq(phrase, thing)
+            if question not in asked:
+                yield question, {"np_grd_ynq": 1.0, "np_grd_ynq.probability": chance}
+
+
+def which_features(grounding: GroundingBelief, phrase: str) -> dict[str, float]:
+    """Table 3: the entropy (nats) of the phrase's candidates, and whether there are more than 4."""
+    return {
+        "np_grd_whq": 1.0,
+        "np_grd_whq.entropy": grounding.entropy(phrase),
+        "np_grd_whq.many": float(len(grounding[phrase]) > 4),
+    }
+
+
+def settle(grounding: GroundingBelief, act: NpGrdWhq | NpGrdYnq, reply: Reply) -> GroundingBelief:
+    """The grounding after a reply: a yes makes a probability 1, a no 0 (section 4.3).
+
+    A wh-question may be answered with several objects, each of which is right.
+    """
+    if reply.label is Label.OBJECTS and reply.objects:
+        settled = grounding.restrict(act.np, dict.fromkeys(reply.objects, 1.0))
+        return GroundingBelief(settled.phrases, settled.settled | {act.np})
+    if isinstance(act, NpGrdWhq):
+        return grounding
+    if reply.label is Label.YES:
+        return grounding.confirm(act.np, act.object)
+    if reply.label is Label.NO and len(grounding[act.np]) > 1:
+        return grounding.deny(act.np, act.object)
+    return grounding
+
+
+def joint_chances(
+    grounding: GroundingBelief, groundings: Sequence[tuple[str, ...]]
+) -> NDArray[np.float64]:
+    """The probability of each joint grounding, phrases taken for independent; uniform if all 0."""
+    tables = [dict(grounding[phrase]) for phrase in grounding.names]
+    chances = np.ones(len(groundings))
+    for place, table in enumerate(tables):
+        chances *= [table.get(objects[place], 0.0) for objects in groundings]
+    total = chances.sum()
+    return chances / total if total > 0 else np.full(len(groundings), 1.0 / len(groundings))
+
+
+def doubt(probability: float) -> float:
+    """1 at one half, 0 when settled."""
+    return 1.0 - abs(2.0 * probability - 1.0)
+
+
+def candidates(
+    proposed: Iterable[tuple[RobotAct, dict[str, float]]], asking: dict[str, float]
+) -> list[Candidate]:
+    """Candidates of questions; ``asking`` are features that every question has."""
+    return [Candidate(act, {**features, **asking}) for act, features in proposed]
