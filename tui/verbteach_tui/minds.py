@@ -60,8 +60,8 @@ def _goals(goals: tuple[GoalCandidate, ...], speech: Speech) -> tuple[GoalBelief
     return tuple(
         GoalBelief(
             one.share,
-            tuple(speech.holds(literal) for literal in ordered(one.goal)),
-            tuple(speech.holds(literal) for literal in ordered(one.goal - first)),
+            tuple(speech.words.describe(literal) for literal in ordered(one.goal)),
+            tuple(speech.words.describe(literal) for literal in ordered(one.goal - first)),
         )
         for one in goals[:_GOALS]
     )

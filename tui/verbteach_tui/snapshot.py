@@ -187,7 +187,7 @@ def _moments(
 def _moment(setting: Setting, speech: Speech, old: State, new: State) -> Moment:
     change = StateChange.between(old, new, setting.scene.domain.static).literals
     told = [one for one in ordered(change) if stem(one.fluent.predicate) not in _TRIFLES]
-    news = [speech.became(literal) for literal in told[:_NEWS]]
+    news = [speech.words.became(literal) for literal in told[:_NEWS]]
     more = [f"and {len(told) - _NEWS} more"] if len(told) > _NEWS else []
     return Moment(new, old, (*news, *more))
 
@@ -234,7 +234,7 @@ def _change(
     if episode is None or episode.demonstrated is None:
         return ()
     change = StateChange.between(episode.start, world, setting.scene.domain.static).literals
-    return tuple(speech.became(literal) for literal in ordered(change))
+    return tuple(speech.words.became(literal) for literal in ordered(change))
 
 
 def _parts(speech: Speech, episode: EpisodeState | None) -> tuple[GoalPart, ...]:
@@ -248,4 +248,4 @@ def _parts(speech: Speech, episode: EpisodeState | None) -> tuple[GoalPart, ...]
 
 
 def _part(speech: Speech, literal: Literal, kept: bool) -> GoalPart:
-    return GoalPart(literal, kept, speech.must(literal), f"need not: {speech.holds(literal)}")
+    return GoalPart(literal, kept, speech.words.must(literal), f"need not: {speech.words.describe(literal)}")
