@@ -1,0 +1,120 @@
+"""One dialogue of an experiment: a policy asks, the simulated human answers, somebody keeps score.
+
+The same loop serves both phases; the phase's inquiry says what can be asked.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Generic, Protocol, Self, TypeVar
+
+import numpy as np
+
+from verbteach.dialogue.acts import RobotAct
+from verbteach.dialogue.decision import Candidate, Decision
+from verbteach.dialogue.execution_inquiry import ExecutionInquiry
+from verbteach.dialogue.inquiry import Reply
+from verbteach.dialogue.rewards import Rewards
+from verbteach.experiments.metrics import ied
+from verbteach.experiments.simulated_human import SimulatedHuman
+from verbteach.policy.asking_policy import ENDING, AskingPolicy
+from verbteach.world.plan import Action, Plan
+
+
+class Inquiry(Protocol):
+    """A phase's state: see ``dialogue.inquiry``."""
+
+    def candidates(self) -> tuple[Candidate, ...]:
+        """The acts to choose from."""
+        ...
+
+    def after(self, act: RobotAct, reply: Reply) -> Self:
+        """The state after a reply."""
+        ...
+
+
+Phase = TypeVar("Phase", bound=Inquiry)
+
+
+@dataclass(frozen=True)
+class Turn:
+    """One choice of the robot's and the reward of it; the last one's is the phase's success."""
+
+    decision: Decision
+    reward: float
+
+
+@dataclass(frozen=True)
+class Dialogue(Generic[Phase]):
+    """A phase from its first choice to its last; ``questions`` counts acts by name."""
+
+    state: Phase
+    turns: tuple[Turn, ...]
+    questions: Counter[str] = field(default_factory=Counter)
+
+    @property
+    def ended_with(self) -> RobotAct:
+        """The act that ended it."""
+        return self.turns[-1].decision.act
+
+    @property
+    def asked(self) -> int:
+        """How many questions were put; a bulk question is one."""
+        return sum(self.questions.values())
+
+
+def hold(
+    state: Phase,
+    policy: AskingPolicy,
+    human: SimulatedHuman,
+    rewards: Rewards,
+    rng: np.random.Generator,
+) -> Dialogue[Phase]:
+    """Ask until an act ends the phase; that act's turn has no reward yet."""
+    turns: list[Turn] = []
+    questions: Counter[str] = Counter()
+    while True:
+        decision = policy.choose(None, state.candidates(), rng)
+        act = decision.act
+        if isinstance(act, ENDING):
+            return Dialogue(state, (*turns, Turn(decision, 0.0)), questions)
+        reply = human.reply(act, len(turns), rng)
+        turns.append(Turn(decision, rewards.of(act.name, positive=reply.positive)))
+        questions[act.name] += 1
+        state = state.after(act, reply)
+
+
+def judged(dialogue: Dialogue[Phase], right: bool, rewards: Rewards) -> Dialogue[Phase]:
+    """The dialogue with the reward of its last act."""
+    last = dialogue.turns[-1]
+    earned = rewards.of(last.decision.act.name, positive=right)
+    return replace(dialogue, turns=(*dialogue.turns[:-1], Turn(last.decision, earned)))
+
+
+@dataclass(frozen=True)
+class Carried:
+    """How a command was carried out: the plan and its two scores."""
+
+    plan: tuple[Action, ...]
+    ied: float
+    sji: float
+
+
+def carry_out(
+    inquiry: ExecutionInquiry,
+    human: SimulatedHuman,
+    gold: Sequence[Action],
+    attempts: int = 6,
+) -> Carried:
+    """Plan once on what is believed and run the plan in the true world.
+
+    A goal without a plan, or with an empty one, gives way to the next best, up
+    to ``attempts`` of them. The plan ends at the first action that cannot be done.
+    """
+    for goal, _ in inquiry.pool.goals(attempts):
+        answer = human.room.planner.plan(inquiry.believed, goal)
+        if isinstance(answer, Plan) and answer.actions:
+            return Carried(answer.actions, ied(gold, answer.actions), human.score(answer.actions))
+    return Carried((), ied(gold, ()), human.score(()))

@@ -1,0 +1,202 @@
+"""What demonstrations would have changed, had they been given for this command in this room.
+
+The lifted change of a demonstration is bound to the command's objects for
+every joint grounding. This looks at names and things only, never at the state,
+so the bindings are remembered for as long as the command and the room last.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verbteach.verbs.knowledge import VerbKnowledge
+from verbteach.verbs.lifting import Binding, Lifted, bind
+from verbteach.verbs.resemblance import Kernel, Said, likeness, overlap
+from verbteach.verbs.setting import Setting
+from verbteach.verbs.space import Demonstration
+from verbteach.world.fluents import Literal
+
+Ints = NDArray[np.int64]
+Floats = NDArray[np.float64]
+
+
+class Example(NamedTuple):
+    """A demonstration's whole change, lifted: the top of its hypothesis space."""
+
+    demonstration: Demonstration
+    change: Lifted
+    binding: Binding
+
+    @property
+    def said(self) -> Said:
+        """The command that was demonstrated."""
+        return Said(self.demonstration.verb, self.demonstration.phrases)
+
+
+def examples(knowledge: VerbKnowledge) -> tuple[Example, ...]:
+    """Every demonstration of every verb, by frame and then in the frame's order."""
+    return tuple(
+        Example(space.demonstration, space.nodes[0].literals, space.nodes[0].bindings[0])
+        for space in knowledge.spaces
+        if space.nodes
+    )
+
+
+class Transfer(NamedTuple):
+    """One example bound to one command: a row for each way to bind it.
+
+    ``literals`` are literal numbers and ``row`` the row each belongs to;
+    ``grounding`` is each row's joint grounding, ``share`` its share of that
+    grounding's weight, ``alike`` (rows x 2) how far the very same objects and
+    the same kinds of objects are meant.
+    """
+
+    literals: Ints
+    row: Ints
+    grounding: Ints
+    share: Floats
+    alike: Floats
+
+    @property
+    def rows(self) -> int:
+        """How many ways there are."""
+        return len(self.grounding)
+
+
+class Gathered(NamedTuple):
+    """All rows that speak about a command: see ``Transfer``; ``words`` is each row's log weight."""
+
+    literals: Ints
+    row: Ints
+    grounding: Ints
+    share: Floats
+    alike: Floats
+    words: Floats
+
+
+class Analogies:
+    """The bindings of one command in one room, made as they are asked for.
+
+    ``groundings`` are the joint groundings, an object for each noun phrase.
+    Literals are numbered in the order they turn up; ``ranks`` puts them into
+    an order that does not depend on that.
+    """
+
+    def __init__(self, said: Said, groundings: Sequence[tuple[str, ...]], setting: Setting) -> None:
+        self.said = said
+        self.groundings = tuple(groundings)
+        self.setting = setting
+        self.literals: list[Literal] = []
+        self._number: dict[Literal, int] = {}
+        self._transfers: dict[tuple[object, ...], Transfer] = {}
+
+    def gathered(self, known: Iterable[Example], kernel: Kernel, most: int) -> Gathered:
+        """Bind the ``most`` examples whose commands are most alike, ties in the given order."""
+        weights = kernel.of_words.tolist()
+        scored = [(self._score(example, weights), example) for example in known]
+        scored.sort(key=lambda pair: -pair[0])
+        found = [(score, self._transfer(example)) for score, example in scored[:most]]
+        return _joined([pair for pair in found if pair[1].rows])
+
+    def nearness(self, example: Example) -> float:
+        """How alike the noun phrases of the command and the example are, 0 to 1 (Table 3)."""
+        _, _, slots, words = likeness(self.said, example.said)
+        return 0.5 * (slots + words)
+
+    def number(self, literal: Literal) -> int:
+        """The literal's number, a new one if it has none."""
+        number = self._number.setdefault(literal, len(self.literals))
+        if number == len(self.literals):
+            self.literals.append(literal)
+        return number
+
+    def _score(self, example: Example, weights: Sequence[float]) -> float:
+        alike = likeness(self.said, example.said)
+        return sum(weight * value for weight, value in zip(weights, alike, strict=True))
+
+    def _transfer(self, example: Example) -> Transfer:
+        demonstration = example.demonstration
+        key = (example.change, example.binding, demonstration.phrases, demonstration.grounding)
+        if key not in self._transfers:
+            self._transfers[key] = self._bound(example)
+        return self._transfers[key]
+
+    def _bound(self, example: Example) -> Transfer:
+        known = self.setting.affordances
+        literals: list[int] = []
+        rows: list[int] = []
+        kept: list[tuple[int, float, float, float]] = []
+        fits = all(thing in known for thing in example.binding)
+        for index, objects in enumerate(self.groundings if fits else ()):
+            ways = _arguments(objects, example.demonstration.grounding)
+            for arguments in ways:
+                goal = bind(example.change, arguments, example.binding)
+                if goal is not None:
+                    numbers = [self.number(literal) for literal in sorted(goal)]
+                    literals += numbers
+                    rows += [len(kept)] * len(numbers)
+                    same = self._same_objects(objects, example.demonstration)
+                    kinds = _same_kinds(arguments, example.demonstration.grounding, self.setting)
+                    kept.append((index, 1.0 / len(ways), same, kinds))
+        return _transfer(literals, rows, kept)
+
+    def _same_objects(self, objects: tuple[str, ...], shown: Demonstration) -> float:
+        pairs = zip(objects, shown.grounding, self.said.phrases, shown.phrases, strict=False)
+        same = sum(mine == old and overlap(p, q) > 0 for mine, old, p, q in pairs)
+        return same / max(1, len(objects))
+
+
+def _transfer(
+    literals: list[int], rows: list[int], kept: list[tuple[int, float, float, float]]
+) -> Transfer:
+    table = np.array(kept, dtype=np.float64).reshape(-1, 4)
+    return Transfer(
+        np.array(literals, dtype=np.int64),
+        np.array(rows, dtype=np.int64),
+        table[:, 0].astype(np.int64),
+        table[:, 1],
+        table[:, 2:],
+    )
+
+
+def _joined(found: Sequence[tuple[float, Transfer]]) -> Gathered:
+    sizes = np.array([transfer.rows for _, transfer in found], dtype=np.int64)
+    offsets = np.concatenate([np.zeros(1, np.int64), np.cumsum(sizes)])
+    scores = np.array([score for score, _ in found], dtype=np.float64)
+    parts = [transfer for _, transfer in found] or [_transfer([], [], [])]
+    return Gathered(
+        np.concatenate([part.literals for part in parts]),
+        np.concatenate([part.row + start for part, start in zip(parts, offsets, strict=False)]),
+        np.concatenate([part.grounding for part in parts]),
+        np.concatenate([part.share for part in parts]),
+        np.concatenate([part.alike for part in parts]),
+        np.repeat(scores, sizes),
+    )
+
+
+def _arguments(objects: tuple[str, ...], shown: tuple[str, ...]) -> list[tuple[str, ...]]:
+    """The new objects in the places of the demonstrated ones, in every order-keeping way.
+
+    With too many new objects some are left out, with too few the demonstrated
+    ones stay in the places left over.
+    """
+    if len(shown) <= len(objects):
+        return list(combinations(objects, len(shown)))
+    found = []
+    for places in combinations(range(len(shown)), len(objects)):
+        arguments = list(shown)
+        for place, thing in zip(places, objects, strict=True):
+            arguments[place] = thing
+        found.append(tuple(arguments))
+    return found
+
+
+def _same_kinds(new: Sequence[str], shown: Sequence[str], setting: Setting) -> float:
+    known = setting.affordances
+    same = sum(known.get(a) == known.get(b) for a, b in zip(new, shown, strict=True))
+    return same / max(1, len(new))

@@ -1,0 +1,316 @@
+"""The goal belief: what a command may be meant to change, as arrays, with what answers did to it.
+
+Each distinct change is a hypothesis; each way in which a demonstration, bound
+to a joint grounding, gives it is a support. The probability of a hypothesis is
+the sum of its supports' weights times the probability of their groundings,
+times the likelihood of the answers so far. What to do is chosen by the
+expected Jaccard index (minimum Bayes risk), and not only among the hypotheses:
+a conjunction of what most of them want is a candidate too, and an answer edits
+all of them. It knows no question's wording and no policy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from verbteach.verbs.analogy import Analogies, Example, Gathered
+from verbteach.verbs.resemblance import Kernel
+from verbteach.world.fluents import Fluent, Goal, Literal, State
+
+Bools = NDArray[np.bool_]
+Ints = NDArray[np.int64]
+Floats = NDArray[np.float64]
+Singles = NDArray[np.float32]
+
+PLACES: Mapping[str, int] = {
+    "On": 0, "In": 0, "Grasping": 1, "on": 0, "in": 0, "beside": 0, "grasping": 1,
+}  # fmt: skip
+"""Predicates that say where a thing is, with the argument that is the thing: it is in one place."""
+
+
+@dataclass(frozen=True)
+class PoolParameters:
+    """How demonstrations are weighed, and how far answers and hypotheses are trusted.
+
+    ``examples`` are bound at most, the most alike first. ``fit`` is the
+    probability that a right hypothesis agrees with a right answer (hypotheses
+    are near the truth, rarely it); ``reliability`` that the teacher answers
+    rightly. Below ``edits_from`` an answer only shifts weights and does not
+    edit the hypotheses. ``kept`` hypotheses and ``choices`` of them take part
+    in a decision; ``thresholds`` make conjunctions of the likely literals.
+    """
+
+    kernel: Kernel = field(default_factory=Kernel)
+    examples: int = 150
+    fit: float = 0.9
+    reliability: float = 1.0
+    edits_from: float = 0.95
+    kept: int = 128
+    choices: int = 40
+    thresholds: tuple[float, ...] = (0.2, 0.3, 0.4, 0.5)
+    places: Mapping[str, int] = field(default_factory=lambda: dict(PLACES))
+
+    @property
+    def agreement(self) -> float:
+        """The probability that a right hypothesis agrees with an answer as given."""
+        return self.fit * self.reliability + (1.0 - self.fit) * (1.0 - self.reliability)
+
+
+@dataclass(frozen=True)
+class Decision:
+    """The hypotheses that take part, the goals to choose from, and how alike they are.
+
+    ``truths`` (kept x literals) have the probabilities ``chances``;
+    ``choices`` (choices x literals); ``shared`` and ``union`` count literals of
+    each choice with each truth; ``index`` are the truths' numbers in the pool.
+    """
+
+    truths: Singles
+    chances: Floats
+    choices: Singles
+    shared: Singles
+    union: Singles
+    index: Ints
+
+    @cached_property
+    def jaccard(self) -> Singles:
+        """How alike each choice is to each truth, 0 to 1."""
+        return np.where(self.union > 0, self.shared / np.maximum(self.union, 1), 0).astype(
+            np.float32
+        )
+
+    @cached_property
+    def values(self) -> Floats:
+        """The expected Jaccard index of each choice."""
+        return np.asarray(self.jaccard @ self.chances, dtype=np.float64)
+
+    @cached_property
+    def order(self) -> Ints:
+        """The choices, the best first; ties in the choices' order."""
+        return np.argsort(-self.values, kind="stable")
+
+
+@dataclass(frozen=True)
+class GoalPool:
+    """A belief over hypotheses; values never change.
+
+    ``truths`` (hypotheses x literals) are edited by the answers; ``source``,
+    ``grounding`` and ``weight`` describe supports; ``chances`` are the joint
+    groundings' probabilities; ``answers`` what was answered, by literal number.
+    """
+
+    parameters: PoolParameters
+    literals: tuple[Literal, ...]
+    groundings: tuple[tuple[str, ...], ...]
+    truths: Bools
+    source: Ints
+    grounding: Ints
+    weight: Floats
+    chances: Floats
+    likelihood: Floats
+    answers: tuple[tuple[int, bool], ...] = ()
+
+    @property
+    def empty(self) -> bool:
+        """Whether nothing is known that could be meant."""
+        return not len(self.truths)
+
+    @cached_property
+    def supports(self) -> Floats:
+        """Each support's probability, given the answers; they sum to one."""
+        mass = self.weight * self.chances[self.grounding] * self.likelihood[self.source]
+        total = mass.sum()
+        if total <= 0.0:  # the answers rule everything out: start again from the weights alone
+            mass, total = self.weight, self.weight.sum()
+        return np.asarray(mass / total)
+
+    @cached_property
+    def probabilities(self) -> Floats:
+        """Each hypothesis's probability; they sum to one."""
+        return _summed(self.source, self.supports, len(self.truths))
+
+    @cached_property
+    def marginals(self) -> Floats:
+        """Each literal's probability of being part of what is meant."""
+        return np.asarray(self.probabilities @ self.truths)
+
+    @cached_property
+    def referents(self) -> Floats:
+        """Each joint grounding's probability, given everything."""
+        return _summed(self.grounding, self.supports, len(self.groundings))
+
+    @cached_property
+    def decision(self) -> Decision:
+        """The choice to make now."""
+        order = np.argsort(-self.probabilities, kind="stable")[: self.parameters.kept]
+        truths = self.truths[order]
+        chances = self.probabilities[order]
+        likely = self.marginals[None, :] > np.array(self.parameters.thresholds)[:, None]
+        choices = np.concatenate([truths[: self.parameters.choices], likely]).astype(np.float32)
+        singles = truths.astype(np.float32)
+        shared = choices @ singles.T
+        union = choices.sum(1)[:, None] + singles.sum(1)[None, :] - shared
+        return Decision(singles, chances / chances.sum(), choices, shared, union, order)
+
+    def goals(self, most: int) -> tuple[tuple[Goal, float], ...]:
+        """The best goals with their expected Jaccard index, the best first, without repeats."""
+        if self.empty:
+            return ()
+        found: dict[Goal, float] = {}
+        for choice in self.decision.order.tolist():
+            goal = self.goal(self.decision.choices[choice] > 0)
+            if goal:
+                found.setdefault(goal, float(self.decision.values[choice]))
+            if len(found) == most:
+                break
+        return tuple(found.items())
+
+    def goal(self, row: Bools) -> Goal:
+        """The literals of a row as a goal."""
+        return frozenset(self.literals[i] for i in np.flatnonzero(row).tolist())
+
+    def answered(self, literal: int, truth: bool) -> GoalPool:
+        """The belief after the teacher said whether a literal should hold."""
+        agrees = self.truths[:, literal] == truth
+        trust = self.parameters.agreement
+        truths = self.truths
+        if self.parameters.reliability >= self.parameters.edits_from:
+            truths = truths.copy()
+            truths[:, literal] = truth
+        return replace(
+            self,
+            truths=truths,
+            likelihood=self.likelihood * np.where(agrees, trust, 1.0 - trust),
+            answers=(*self.answers, (literal, truth)),
+        )
+
+    def regrounded(self, chances: Floats) -> GoalPool:
+        """The belief under other probabilities of the joint groundings."""
+        return replace(self, chances=chances)
+
+    def yes_chance(self, literal: int) -> float:
+        """The probability that the teacher will say yes to a literal."""
+        trust, chance = self.parameters.agreement, float(self.marginals[literal])
+        return chance * trust + (1.0 - chance) * (1.0 - trust)
+
+    def literal_gain(self, literal: int) -> float:
+        """How much asking about a literal raises the expected Jaccard index of the best goal."""
+        now = self.decision
+        mine, theirs = now.choices[:, literal][:, None], now.truths[:, literal][None, :]
+        shared = now.shared - mine * theirs
+        union = now.union - np.maximum(mine, theirs)
+        trust = self.parameters.agreement
+        yes = now.chances * np.where(now.truths[:, literal] > 0, trust, 1.0 - trust)
+        after_yes = (((shared + 1) / (union + 1)) @ yes).max()
+        after_no = ((shared / np.maximum(union, 1)) @ (now.chances - yes)).max()
+        return float(after_yes + after_no - now.values.max())
+
+    def grounding_gain(self, parts: Sequence[Bools]) -> float:
+        """The same for a question that tells apart ``parts`` of the joint groundings."""
+        now = self.decision
+        values = []
+        for part in parts:
+            inside = self.supports * part[self.grounding]
+            mass = np.bincount(self.source, inside, minlength=len(self.truths))[now.index]
+            values.append(float((now.jaccard @ mass).max()))
+        scale = float(self.probabilities[now.index].sum())
+        return sum(values) / scale - float(now.values.max()) if scale > 0 else 0.0
+
+    @cached_property
+    def certainty(self) -> float:
+        """The probability that the best goal is exactly what is meant."""
+        best = self.decision.jaccard[self.decision.order[0]]
+        return float(self.decision.chances[best > 0.999].sum())
+
+
+class PoolSource:
+    """What a command's pool is made from, whatever the state is believed to be."""
+
+    def __init__(
+        self, analogies: Analogies, known: Sequence[Example], parameters: PoolParameters
+    ) -> None:
+        self.analogies = analogies
+        self.parameters = parameters
+        self.nearest = max((analogies.nearness(example) for example in known), default=0.0)
+        self._gathered: Gathered = analogies.gathered(known, parameters.kernel, parameters.examples)
+
+    def pool(self, state: State, chances: Floats) -> GoalPool:
+        """The belief where ``state`` is believed and groundings have the probabilities ``chances``.
+
+        What holds already is no change, and what comes to a new place leaves
+        the place it is believed to be at.
+        """
+        numbers, columns = np.unique(self._gathered.literals, return_inverse=True)
+        literals = [self.analogies.literals[n] for n in numbers.tolist()]
+        rows = len(self._gathered.grounding)
+        bound = np.zeros((rows, len(literals)), dtype=bool)
+        bound[self._gathered.row, columns] = True
+        literals, wanted = self._with_departures(literals, bound, state)
+        return self._merged(literals, wanted, state, chances)
+
+    def _with_departures(
+        self, literals: list[Literal], bound: Bools, state: State
+    ) -> tuple[list[Literal], Bools]:
+        """Add what ceases because a thing comes to another place."""
+        places = self.parameters.places
+        now: dict[str, list[Fluent]] = {}
+        for fluent in sorted(f for f in state if f.predicate in places):
+            now.setdefault(fluent.args[places[fluent.predicate]], []).append(fluent)
+        index = {literal: column for column, literal in enumerate(literals)}
+        leaves: list[tuple[int, int]] = []
+        for column, (fluent, positive) in enumerate(tuple(literals)):
+            if positive and fluent.predicate in places:
+                for old in now.get(fluent.args[places[fluent.predicate]], ()):
+                    if old != fluent:
+                        leaves.append((column, index.setdefault(Literal(old, False), len(index))))
+        wider = np.zeros((len(bound), len(index)), dtype=bool)
+        wider[:, : len(literals)] = bound
+        for column, departure in leaves:
+            wider[:, departure] |= bound[:, column]
+        return list(index), wider
+
+    def _merged(
+        self, literals: list[Literal], wanted: Bools, state: State, chances: Floats
+    ) -> GoalPool:
+        order = sorted(
+            (c for c, literal in enumerate(literals) if not literal.holds(state)),
+            key=lambda c: literals[c],
+        )
+        rows = wanted[:, order]
+        left = rows.any(1)
+        found = self._gathered
+        truths, source = _distinct(rows[left])
+        share_open = rows.sum(1) / np.maximum(wanted.sum(1), 1)
+        alike = np.concatenate([found.alike, share_open[:, None]], axis=1)
+        log = found.words + alike @ self.parameters.kernel.of_bindings
+        weight = found.share * np.exp(log - (log.max() if len(log) else 0.0))
+        return GoalPool(
+            self.parameters,
+            tuple(literals[c] for c in order),
+            self.analogies.groundings,
+            truths,
+            source,
+            found.grounding[left],
+            weight[left],
+            chances,
+            np.ones(len(truths)),
+        )
+
+
+def _summed(index: Ints, values: Floats, size: int) -> Floats:
+    return np.bincount(index, values, minlength=size).astype(np.float64)
+
+
+def _distinct(rows: Bools) -> tuple[Bools, Ints]:
+    """The distinct rows in a fixed order, and for each row which one it is."""
+    if not rows.size:
+        return rows[:0], np.zeros(0, dtype=np.int64)
+    packed = np.packbits(rows, axis=1)
+    keys = np.ascontiguousarray(packed).view(np.dtype((np.void, packed.shape[1]))).ravel()
+    _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)
+    return rows[first], inverse.astype(np.int64)
