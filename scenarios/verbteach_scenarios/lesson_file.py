@@ -41,7 +41,7 @@ def lesson_to_data(lesson: Lesson) -> dict[str, Any]:
 
 def parse_lessons(text: str, path: Path) -> Iterator[tuple[int, Lesson]]:
     """Read lessons with their line numbers; raise ``LessonFileError`` at the first that is torn."""
-    for number, line in enumerate(text.splitlines(), start=1):
+    for number, line in enumerate(text.split("\n"), start=1):
         if line.strip():
             yield number, _lesson(line, path, number)
 

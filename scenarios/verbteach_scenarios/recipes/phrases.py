@@ -108,6 +108,7 @@ def _one(found: Sequence[Description], rng: np.random.Generator) -> Description:
 def _tells_more(thing: SceneObject, kind: str, name: str) -> bool:
     look, words = thing.attributes.get(kind), name.split()
     says_enough = "of" in words or thing.attributes.get("position") in words or is_plural(name)
+    says_enough |= kind == "material" and len(words) > 1
     return look is not None and look not in words and not says_enough
 
 
