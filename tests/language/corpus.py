@@ -5,17 +5,20 @@ from __future__ import annotations
 from functools import cache
 
 from tests.scenarios.tell_me_dave_folder import REAL, needs_corpus
+from verbteach.experiments.frame_agreement import Parsed
 from verbteach.experiments.grounding_scores import Case
-from verbteach.language.frames import NounPhrase
+from verbteach.language.frames import NounPhrase, VerbFrame
+from verbteach.language.grammar import parse
 from verbteach.language.looks import Looks
 from verbteach.language.morphology import is_plural, singular
 from verbteach_scenarios.lexicon_file import load_lexicon
+from verbteach_scenarios.tell_me_dave.clauses import noun_phrases
 from verbteach_scenarios.tell_me_dave.corpus import read_corpus
 from verbteach_scenarios.tell_me_dave.documents import Corpus
 from verbteach_scenarios.tell_me_dave.instances import instances
 from verbteach_scenarios.tell_me_dave.rooms import Rooms
 
-__all__ = ["cases", "corpus", "needs_corpus"]
+__all__ = ["cases", "corpus", "needs_corpus", "readings"]
 
 
 @cache
@@ -35,6 +38,19 @@ def cases() -> tuple[Case, ...]:
             phrase = _phrase(text)
             found.append(Case(phrase, looks, objects, instance.group, instance.environment))
     return tuple(found)
+
+
+@cache
+def readings() -> tuple[tuple[Parsed, tuple[VerbFrame, ...]], ...]:
+    """Every clause as the corpus's parser framed it, and as the grammar reads it."""
+    return tuple(
+        (
+            Parsed(clause.sentence, clause.verb.lower(), noun_phrases(clause.frame)),
+            parse(clause.sentence),
+        )
+        for document in corpus().documents
+        for clause in document.clauses
+    )
 
 
 def _phrase(text: str) -> NounPhrase:

@@ -93,6 +93,9 @@ class SentenceReader:
 
     def _front(self, expected: bool) -> bool:
         """Keep a phrase said before its verb: ``with the sponge, wipe the table``."""
+        if self._at(self._i) == "to" and self._verbs.infinitive(self._i + 1, gerund=False):
+            self._i += 1
+            return True
         found = self._phrases.preposition(self._i) if expected else None
         if found is None or self._at(self._i) in {"like", "off", "out", "up", "down"}:
             return False

@@ -63,6 +63,7 @@ _PATTERNS = {
         "do please|-",
         "be a dear|darling|sweetheart and",
         "going to",
+        "you|we",
     ),
     Mood.GERUND: (
         "would|do you mind",

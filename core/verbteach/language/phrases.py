@@ -67,7 +67,7 @@ class Phrases:
         """The index after an adverb or adverb phrase at ``index``; ``index`` if none is there."""
         token = self.at(index)
         for phrase in words.ADVERB_PHRASES.get(token, ()):
-            if self.matches(index, phrase):
+            if self.matches(index, phrase) and self.at(index + len(phrase)) != "of":
                 return index + len(phrase)
         if not token or not self.classes.is_adverb(token):
             return index
@@ -108,7 +108,11 @@ class Phrases:
             return self.adverb(index) == index
         if token in words.OBJECT_PRONOUNS or self.classes.is_number(token):
             return True
-        return self._open(index) or self._is_rear(index)
+        behind = self.at(index - 1) in words.PREPOSITIONS or self.classes.is_verb(
+            self.at(index - 1)
+        )
+        tin = token == "can" and behind and self.closes_clause(index + 1)
+        return self._open(index) or self._is_rear(index) or tin
 
     def _open(self, index: int) -> bool:
         if not self.classes.is_open(self.at(index)) or self.is_compound(index):
@@ -227,19 +231,21 @@ class Phrases:
     def _belongs(self, index: int, inside: list[str], determined: bool) -> bool:
         token = self.at(index)
         if token in {"one", "ones"} or self.classes.is_number(token):
-            return True
+            return self.adverb(index) == index
         if token == "am" and inside and self.classes.is_number(inside[-1]):
             return True
-        if self._is_rear(index) or (token == "can" and self._is_tin(index, inside, determined)):
+        if self._is_rear(index) or (token == "can" and self._is_tin(index)):
+            return True
+        if token in {"right", "next", "last"} and self.classes.is_noun(self.at(index + 1)):
             return True
         if determined and not inside and token in _MODIFYING_ADVERBS | _NOUNS_AMONG_CLOSED:
             return True
         return self._open(index) or (token in words.ORDINALS and bool(determined))
 
-    def _is_tin(self, index: int, inside: list[str], determined: bool) -> bool:
+    def _is_tin(self, index: int) -> bool:
         """``the coke can``: not the auxiliary."""
         ends = self.closes_clause(index + 1) or self.classes.is_noun(self.at(index + 1))
-        return (determined or bool(inside)) and (ends or self.begins_command(index + 1))
+        return ends or self.begins_command(index + 1)
 
     def _joins_adjectives(self, index: int, inside: list[str]) -> bool:
         if self.at(index) not in {",", "and"} or not inside:
@@ -286,7 +292,15 @@ class Phrases:
         if self.classes.takes_particle(token, following):
             following = self.at(index + 2)
         objects = words.DETERMINERS | words.POSSESSIVES | {"it", "them", "me", "us"}
-        return following in objects
+        if following in objects:
+            return True
+        only_verb = not (self.classes.is_noun(token) or self.classes.is_adjective(token))
+        return only_verb and self._follows_noun(index) and self._goes_on(index + 1)
+
+    def _goes_on(self, index: int) -> bool:
+        """``the cd | put in the xbox``, ``a spoon | add two cups``."""
+        counted = self.classes.is_number(self.at(index))
+        return counted or self.preposition(index) is not None
 
     def _follows_noun(self, index: int) -> bool:
         """``take the spoon | scoop the ice cream``."""

@@ -69,6 +69,8 @@ class Verbs:
         index = self._past_adverbs(index)
         if mood is Mood.GERUND:
             return self.gerund(index) is not None
+        if self._at(index - 1) in {"you", "we"} and not self._classes.is_verb(self._at(index)):
+            return False
         opened = any(self._phrases.matches(index, p) for p, _ in OPENERS.get(self._at(index), ()))
         return opened or self.stands(index, loose=True)
 
