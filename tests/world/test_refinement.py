@@ -31,8 +31,8 @@ LOOSE = parse_domain(
 
 def encoded(task: Task, goal: Goal) -> EncodedGoal:
     return EncodedGoal(
-        task.encode(x.fluent for x in goal if x.positive),
-        task.encode(x.fluent for x in goal if not x.positive),
+        task.encode(frozenset(x.fluent for x in goal if x.positive)),
+        task.encode(frozenset(x.fluent for x in goal if not x.positive)),
     )
 
 

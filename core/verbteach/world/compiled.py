@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from importlib.util import find_spec
 from threading import Lock
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -67,17 +68,23 @@ class CompiledEngine:
         self._kernel = _kernel
         self._task = _laid_out(_kernel, task, relaxed)
         self._words = len(task.fluents) // 64 + 1
+        self._spare: list[Any] = []
 
     def search(self, bits: int, goal: Sequence[int], limits: SearchLimits) -> Steps | Exhausted:
         """Return action numbers that lead from ``bits`` to the goal, or why there are none."""
         row = np.frombuffer(bits.to_bytes(8 * self._words, "little"), dtype="<u8")
+        try:
+            scratch = self._spare.pop()
+        except IndexError:  # the first search, or another thread is searching
+            scratch = self._kernel.scratch(self._task)
         end, steps = self._kernel.search(
             self._task,
+            scratch,
             row.astype(np.uint64),  # a copy: compiled code is for arrays that can be written
             np.array(goal, dtype=np.int64),
-            limits.expansions,
-            limits.boost,
+            np.array((limits.expansions, limits.boost), dtype=np.int64),
         )
+        self._spare.append(scratch)
         if end == self._kernel.SOLVED:
             return tuple(steps.tolist())
         return Exhausted(bound=bool(end == self._kernel.BOUND))
@@ -87,7 +94,10 @@ def _search_once(kernel: ModuleType) -> None:
     """Make the compiler do its work, on arrays of the very types that are used later."""
     task = Task(Domain("nothing", {}, {}, {}, {}), {}, frozenset())
     laid_out = _laid_out(kernel, task, RelaxedTask(task))
-    kernel.search(laid_out, np.zeros(1, np.uint64), np.zeros(0, np.int64), 1, 1)
+    scratch = kernel.scratch(laid_out)
+    kernel.search(
+        laid_out, scratch, np.zeros(1, np.uint64), np.zeros(0, np.int64), np.ones(2, np.int64)
+    )
 
 
 def _laid_out(kernel: ModuleType, task: Task, relaxed: RelaxedTask) -> npt.NDArray[np.int64]:

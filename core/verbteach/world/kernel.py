@@ -328,7 +328,8 @@ def _estimate(t: Ints, s: Scratch, goal: Ints, preferred: Ints) -> tuple[int, in
 
 
 @_compiled
-def _scratch(t: Ints) -> Scratch:
+def scratch(t: Ints) -> Scratch:
+    """Make working memory for one search at a time on this task; it can be used again."""
     fluents, links = t[FLUENTS], t[LINKS]
     props = np.empty((PROPOSITION_ROWS, 2 * fluents), np.int64)
     props[:PROPOSITION_MARKS] = 0
@@ -500,9 +501,11 @@ def _next_child(t: Ints, seen: Seen, queues: Queues, judged: int) -> tuple[int, 
 
 
 @_compiled
-def search(t: Ints, start: Words, goal: Ints, expansions: int, boost: int) -> tuple[int, Ints]:
-    """Search as ``search.search`` does; return how it ended and the actions found."""
-    scratch = _scratch(t)
+def search(t: Ints, s: Scratch, start: Words, goal: Ints, limits: Ints) -> tuple[int, Ints]:
+    """Search as ``search.search`` does; return how it ended and the actions found.
+
+    ``limits`` are the bound of expansions and what progress earns.
+    """
     seen = _seen(64, len(start))
     seen.rows[0] = start
     chosen = np.empty(t[OPERATORS], np.int64)
@@ -514,8 +517,8 @@ def search(t: Ints, start: Words, goal: Ints, expansions: int, boost: int) -> tu
         seen = _with_room(seen, judged)
         seen.parents[judged], seen.via[judged] = parent, action
         seen.table[_place(seen.table, seen.rows, seen.rows[judged])] = judged
-        _spell(t[FLUENTS], seen.rows[judged], scratch.false)
-        distance, count = _estimate(t, scratch, goal, chosen)
+        _spell(t[FLUENTS], seen.rows[judged], s.false)
+        distance, count = _estimate(t, s, goal, chosen)
         if distance == 0:
             return SOLVED, _path(seen.parents, seen.via, judged)
         if distance < 0 and judged == 0:
@@ -527,9 +530,9 @@ def search(t: Ints, start: Words, goal: Ints, expansions: int, boost: int) -> tu
                 heappush(queues.preferred, (key << ACTION) | chosen[i])
             if distance < best:
                 best = distance
-                queues.served[0] -= boost
+                queues.served[0] -= limits[1]
         judged += 1
-        if judged > expansions:
+        if judged > limits[0]:
             return BOUND, np.zeros(0, np.int64)
         parent, action = _next_child(t, seen, queues, judged)
         if parent < 0:

@@ -132,16 +132,20 @@ class SearchPlanner:
 
     def _open_goal(self, state: State, goal: Goal) -> Goal | PlanFailure:
         """Return the literals that actions can change, unless another one rules a plan out."""
-        unknown = sorted(x.fluent for x in goal if not self.task.is_fluent(x.fluent))
+        fixed = [literal for literal in goal if literal.fluent not in self.task.bit]
+        unknown = [x.fluent for x in fixed if not self.task.is_fluent(x.fluent)]
         if unknown:
-            return PlanFailure(FailureReason.UNKNOWN_FLUENT, str(unknown[0]))
-        settled = self.task.static.union(state)
-        fixed = [x for x in goal if x.fluent not in self.task.bit]
-        lost = [x for x in fixed if not x.holds(settled)]
-        lost += [x for x in goal if Literal(x.fluent, not x.positive) in goal]
+            return PlanFailure(FailureReason.UNKNOWN_FLUENT, str(min(unknown)))
+        lost = [x for x in fixed if not self._is_settled(x, state)]
+        lost += [x for x in goal if not x.positive and Literal(x.fluent) in goal]
         if lost:
             return PlanFailure(FailureReason.UNREACHABLE, str(min(lost)))
         return goal.difference(fixed)
+
+    def _is_settled(self, literal: Literal, state: State) -> bool:
+        """Whether a literal holds that no action touches; static facts are the task's."""
+        is_static = literal.fluent.predicate in self.task.domain.static
+        return literal.holds(self.task.static if is_static else state)
 
     def _search(self, bits: int, goal: Goal) -> Plan | PlanFailure:
         numbers = self.relaxed.propositions(goal)
@@ -156,6 +160,6 @@ class SearchPlanner:
 
     def _encoded(self, goal: Goal) -> EncodedGoal:
         return EncodedGoal(
-            self.task.encode(x.fluent for x in goal if x.positive),
-            self.task.encode(x.fluent for x in goal if not x.positive),
+            self.task.encode(frozenset(x.fluent for x in goal if x.positive)),
+            self.task.encode(frozenset(x.fluent for x in goal if not x.positive)),
         )

@@ -28,6 +28,8 @@ class EncodedGoal(NamedTuple):
 def refined(bits: int, plan: Sequence[GroundAction], goal: EncodedGoal) -> list[GroundAction]:
     """Return the plan from ``bits`` without needless steps, each step near its use."""
     kept = without_needless(bits, plan, goal)
+    if len(kept) < 3:  # two steps have no other order worth trying
+        return kept
     chained = _chained(kept, _links(bits, kept))
     if _runs(bits, chained, goal):
         return chained

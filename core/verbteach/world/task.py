@@ -100,11 +100,11 @@ class Task:
         objects = {name: thing.type for name, thing in scene.objects.items()}
         return cls(scene.domain, objects, scene.initial)
 
-    def encode(self, state: Iterable[Fluent]) -> int:
+    def encode(self, state: State) -> int:
         """Return the state's bits; fluents that no action touches are left out."""
         bit = self.bit
         bits = 0
-        for fluent in state:
+        for fluent in state.difference(self.static):  # most of a state never changes
             bits |= bit.get(fluent, 0)
         return bits
 
