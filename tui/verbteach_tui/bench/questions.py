@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeVar
 
 from verbteach.dialogue.lesson import Lesson
 from verbteach.dialogue.setting import Settings
@@ -15,6 +16,8 @@ from verbteach_scenarios.pddl import domain_text, problem_text
 from verbteach_scenarios.tell_me_dave.corpus import read_corpus
 from verbteach_scenarios.tell_me_dave.instances import instances
 from verbteach_scenarios.tell_me_dave.rooms import Rooms
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -50,7 +53,7 @@ def of_corpus(folder: Path) -> Iterator[Question]:
             yield Question(task, found.instance.start, goal)
 
 
-def spread(questions: Sequence[Question], count: int) -> list[Question]:
+def spread(questions: Sequence[T], count: int) -> list[T]:
     """At most ``count`` of them, evenly spread over the whole list."""
     if len(questions) <= count:
         return list(questions)

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
 HUMAN, SIMULATED = "human", "simulated"
 LESSONS = 20
+WORTH_COMPILING = 100  # lessons from which on the compiled planner earns its start
 NO_SESSION: Mapping[str, Any] = {
     "session": None,
     "episodes": 0,
@@ -179,6 +180,7 @@ def _scripted(
 
 
 def _simulated(beginning: Beginning, scene: str | None, resume: Path | None, count: int) -> int:
+    from verbteach.world import compiled
     from verbteach_scenarios.lessons import load_lessons
     from verbteach_tui.headless import simulate
 
@@ -186,6 +188,10 @@ def _simulated(beginning: Beginning, scene: str | None, resume: Path | None, cou
     if not lessons:
         raise WrongUseError(f"there is no lesson in the scene {scene!r}")
     with _session(beginning, scene or lessons[0].scene, resume) as session, progress() as show:
+        if count >= WORTH_COMPILING:
+            show("planner", 0, 1)
+            compiled.warm_up()
+            show("planner", 1, 1)
         given = counting(show, "lessons", count)
         return _interruptible(
             session, lambda: simulate(session, lessons, count, beginning.setting, given)

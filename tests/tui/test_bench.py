@@ -1,0 +1,152 @@
+"""The benchmark measures what it says it does."""
+
+from __future__ import annotations
+
+import multiprocessing
+import sys
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.tui.commandline import here
+from verbteach.dialogue.setting import Settings
+from verbteach_scenarios.lessons import load_lessons
+from verbteach_scenarios.pddl import parse_domain, parse_problem
+from verbteach_scenarios.settings import make_settings
+from verbteach_tui.bench import clock, peers, planning, startup
+from verbteach_tui.bench.dialogue import (
+    PlanCounter,
+    dialogues_per_second,
+    planned_episodes_per_second,
+)
+from verbteach_tui.bench.memory import resident_mb
+from verbteach_tui.bench.questions import Question, of_lessons, spread
+
+
+@pytest.fixture(scope="module")
+def settings() -> Settings:
+    return make_settings()
+
+
+@pytest.fixture(scope="module")
+def questions(settings: Settings) -> list[Question]:
+    some = [lesson for lesson in load_lessons() if lesson.scene == "kitchen-1"]
+    return list(of_lessons(some[:6], settings))
+
+
+def test_percentiles_are_those_of_the_sorted_times() -> None:
+    assert clock.percentiles([]) == {"p50": None, "p95": None}
+    assert clock.percentiles([3.0]) == {"p50": 3.0, "p95": 3.0}
+    assert clock.percentiles([float(n) for n in range(101)]) == {"p50": 50.0, "p95": 95.0}
+
+
+def test_timed_counts_milliseconds() -> None:
+    spent, answer = clock.timed(lambda: sum(_ticks(20)))
+    assert answer == 20
+    assert 15 < spent < 2000
+
+
+def _ticks(count: int) -> Iterator[int]:
+    """``count`` ones, a millisecond each."""
+    for _ in range(count):
+        time.sleep(0.001)
+        yield 1
+
+
+def test_per_second_counts_what_was_done() -> None:
+    calls: list[int] = []
+
+    def call() -> int:
+        calls.append(1)
+        time.sleep(0.01)
+        return 3
+
+    rate = clock.per_second(call, 0.05)
+    assert 0 < rate <= 300
+    assert len(calls) >= 2
+
+
+def test_spread_takes_evenly_from_the_whole_list() -> None:
+    assert spread(range(6), 100) == [0, 1, 2, 3, 4, 5]
+    assert spread(range(6), 3) == [0, 2, 4]
+    assert spread(range(1000), 4) == [0, 250, 500, 750]
+
+
+def test_a_question_as_pddl_is_the_same_question(questions: list[Question]) -> None:
+    domain_text, problem_text = questions[0].pddl()
+    domain = parse_domain(domain_text)
+    problem = parse_problem(problem_text, domain, Path("problem.pddl"))
+    assert problem.goal == questions[0].goal
+    assert problem.initial == questions[0].state
+
+
+def test_planning_answers_every_question_and_is_told_of_each(questions: list[Question]) -> None:
+    told: list[int] = []
+    measured = planning.measure(questions, "plain", told.append)
+    assert measured["solved"] == measured["questions"] == len(questions)
+    assert told == list(range(1, len(questions) + 1))
+    assert 0 < measured["p50"] <= measured["p95"]
+
+
+@pytest.mark.skipif("kairos" not in peers.here(), reason="kairos has wheels for Linux only")
+def test_a_peer_solves_the_same_questions(questions: list[Question]) -> None:
+    measured = peers.measure("kairos", [one.pddl() for one in questions[:2]], lambda n: None)
+    assert measured["problem"] is None
+    assert measured["solved"] == 2
+    assert multiprocessing.active_children() == []
+
+
+def test_a_peer_that_breaks_is_reported_and_not_waited_for() -> None:
+    if "kairos" not in peers.here():
+        pytest.skip("no peer to break")
+    measured = peers.measure("kairos", [("(define", "nonsense")] * 3, lambda n: None)
+    assert measured["solved"] == 0
+    assert measured["problem"]
+
+
+def test_the_counter_sees_every_plan(settings: Settings) -> None:
+    counter = PlanCounter(settings)
+    setting = counter("kitchen-1")
+    lesson = next(one for one in load_lessons() if one.scene == "kitchen-1")
+    answer = setting.planner.plan(setting.scene.initial, lesson.goal)
+    assert answer == settings("kitchen-1").planner.plan(setting.scene.initial, lesson.goal)
+    assert counter.calls == 1
+
+
+def test_dialogues_and_episodes_are_counted(
+    settings: Settings, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("verbteach_tui.bench.dialogue.SECONDS", 0.2)
+    monkeypatch.setattr("verbteach_tui.bench.dialogue.TAUGHT", 2)
+    lessons = [
+        lesson
+        for lesson in load_lessons()
+        if lesson.scene == "kitchen-1" and len(lesson.demonstration) < 5
+    ]
+    assert dialogues_per_second(settings, "kitchen-1") > 1
+    assert planned_episodes_per_second(lessons, settings) > 0.1
+
+
+def test_this_process_holds_some_memory() -> None:
+    assert 5 < resident_mb() < 5000
+
+
+def test_version_is_timed_in_a_process_of_its_own() -> None:
+    assert startup.command()[0].startswith(sys.prefix) or startup.command()[0] == sys.executable
+    assert 1 < startup.version_ms(runs=1) < 10_000
+
+
+@pytest.mark.slow
+def test_bench_prints_every_figure_of_the_contract() -> None:
+    ran = here("bench", "--json")
+    assert ran.status == 0
+    document = ran.document
+    assert set(document["startup_ms"]) == {"version", "first_paint"}
+    for name in ("turn_ms", "planned_turn_ms", "plan_ms"):
+        assert 0 < document[name]["p50"] <= document[name]["p95"]
+    assert document["plan_ms"]["path"] in ("plain", "compiled")
+    for name in ("dialogues_per_s", "planned_episodes_per_s", "replay_events_per_s", "rss_mb"):
+        assert document[name] > 0
+    assert document["peers"] == {}
