@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from verbteach.language.agreement import view
 from verbteach.language.frames import NounPhrase, VerbFrame
 from verbteach.language.notation import modifiers, read_frames
 
@@ -62,11 +63,11 @@ def score(commands: Sequence[Command], reader: Reader) -> FrameScore:
     total = max(len(commands), 1)
     read = [(command.frames, tuple(reader(command.text))) for command in commands]
 
-    def share(view: Callable[[VerbFrame], object]) -> float:
-        right = sum(list(map(view, gold)) == list(map(view, got)) for gold, got in read)
+    def share(seen: Callable[[VerbFrame], object]) -> float:
+        right = sum(list(map(seen, gold)) == list(map(seen, got)) for gold, got in read)
         return right / total
 
-    return FrameScore(len(commands), share(_verb), share(_heads), share(exact_view), share(_full))
+    return FrameScore(len(commands), share(_verb), share(_heads), share(view), share(_full))
 
 
 def _verb(frame: VerbFrame) -> str:
@@ -75,11 +76,6 @@ def _verb(frame: VerbFrame) -> str:
 
 def _heads(frame: VerbFrame) -> Counter[str]:
     return Counter(argument.phrase.head for argument in frame.arguments)
-
-
-def exact_view(frame: VerbFrame) -> tuple[str, Counter[tuple[str, str]]]:
-    """A frame as far as verb, roles and heads go."""
-    return frame.verb, Counter((a.role, a.phrase.head) for a in frame.arguments)
 
 
 def _full(frame: VerbFrame) -> tuple[str, Counter[tuple[str, str]]]:

@@ -1,0 +1,1 @@
+"""A second opinion on commands from a statistical parser; needs the extra ``verbteach[nlp]``."""
