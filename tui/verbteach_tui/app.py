@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import partial
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from textual.app import App, SystemCommand
 from textual.binding import Binding, BindingType
+from textual.command import CommandPalette
 from textual.screen import Screen
 
 from verbteach.world.scene import Scene
 from verbteach_tui.help_text import help_about, keys_of
-from verbteach_tui.messages import SessionLeft, SessionOpened, WorkFailed
+from verbteach_tui.messages import SessionLeft, SessionNotOpened, SessionOpened
 from verbteach_tui.options import AppOptions, OpenHome, OpenNew, OpenSession
 from verbteach_tui.screens.failure import NOT_OPENED, FailureScreen
 from verbteach_tui.screens.help import HelpScreen
@@ -94,7 +95,9 @@ class VerbteachApp(App[None]):
         """Open a session in a worker, and enter it when it is open."""
         what = opening.scene if isinstance(opening, OpenNew) else opening.path.name
         self.push_screen(OpeningScreen(what))
-        self.run_worker(partial(self._opened, opening), thread=True, exit_on_error=False)
+        self.run_worker(
+            partial(self._opened, opening), thread=True, exit_on_error=False, group="open"
+        )
 
     def _opened(self, opening: OpenNew | OpenSession) -> None:
         try:
@@ -104,7 +107,7 @@ class VerbteachApp(App[None]):
                 session = self.options.resume(opening.path)
             teaching = Teaching(session)
         except Exception as error:
-            self.post_message(WorkFailed("opening the session", error))
+            self.post_message(SessionNotOpened(error))
         else:
             self._open.append(teaching)
             self.post_message(SessionOpened(teaching))
@@ -114,10 +117,10 @@ class VerbteachApp(App[None]):
         room = TeachScreen(message.teaching, self.options.speed, self.options.scenes(), self.load)
         self.switch_screen(room)
 
-    def on_work_failed(self, message: WorkFailed) -> None:
+    def on_session_not_opened(self, message: SessionNotOpened) -> None:
         """No session was opened: say why, on the home screen or to whoever started the app."""
         if isinstance(self.options.opening, OpenHome):
-            self.switch_screen(FailureScreen(message.doing, message.error, NOT_OPENED))
+            self.switch_screen(FailureScreen("opening the session", message.error, NOT_OPENED))
         else:
             self.failure = message.error
             self.exit()
@@ -150,12 +153,12 @@ class VerbteachApp(App[None]):
         """Help about what has the focus."""
         if isinstance(self.screen, HelpScreen):
             self.screen.dismiss()
-        else:
+        elif not any(isinstance(screen, CommandPalette) for screen in self.screen_stack):
             self.push_screen(
                 HelpScreen(help_about(self.focused or self.screen), keys_of(self.screen))
             )
 
-    def get_system_commands(self, screen: Screen[object]) -> Iterable[SystemCommand]:
+    def get_system_commands(self, screen: Screen[Any]) -> Iterable[SystemCommand]:
         """Every action there is at the moment, for the palette."""
         if isinstance(screen, TeachScreen):
             for title, about, action in screen.palette():

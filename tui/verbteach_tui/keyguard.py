@@ -15,7 +15,8 @@ SWALLOW = 0.6
 class KeyGuard:
     """Decides, key by key, which count; times are in seconds of any steady clock."""
 
-    def __init__(self) -> None:
+    def __init__(self, debounce: float = DEBOUNCE, swallow: float = SWALLOW) -> None:
+        self._debounce, self._swallow = debounce, swallow
         self._answered = float("-inf")
         self._typed = float("-inf")
         self.swallowed = 0
@@ -26,7 +27,7 @@ class KeyGuard:
         A swallowed one opens the window for the next, so that the rest of a
         word is swallowed however long the word is.
         """
-        going_on = now - self._typed < SWALLOW and not character.isdigit()
+        going_on = now - self._typed < self._swallow and not character.isdigit()
         if character.isalpha() or going_on:
             self._typed = now
         self.swallowed = self.swallowed + 1 if going_on else 0
@@ -34,7 +35,7 @@ class KeyGuard:
 
     def answers(self, now: float) -> bool:
         """Whether an answer given ``now`` counts, and is not the last one's key repeating."""
-        if now - self._answered < DEBOUNCE:
+        if now - self._answered < self._debounce:
             return False
         self._answered = now
         return True

@@ -97,6 +97,14 @@ class SessionOpened(Message):
         self.teaching = teaching
 
 
+class SessionNotOpened(Message):
+    """A worker could not open a session."""
+
+    def __init__(self, error: Exception) -> None:
+        super().__init__()
+        self.error = error
+
+
 class SessionLeft(Message):
     """The person has left a session; ``then`` is what to do instead of going home."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
@@ -90,6 +91,8 @@ def _prompt(talk: Talk, out: TextIO) -> Callable[[str], str]:
             for found in talk.complete(text):
                 yield Completion(found, start_position=-len(text))
 
+    # Asking the terminal where its cursor is would only make a screen reader speak.
+    os.environ.setdefault("PROMPT_TOOLKIT_NO_CPR", "1")
     editor: PromptSession[str] = PromptSession(
         completer=Steps(),
         complete_while_typing=False,

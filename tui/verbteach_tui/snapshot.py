@@ -248,4 +248,6 @@ def _parts(speech: Speech, episode: EpisodeState | None) -> tuple[GoalPart, ...]
 
 
 def _part(speech: Speech, literal: Literal, kept: bool) -> GoalPart:
-    return GoalPart(literal, kept, speech.words.must(literal), f"need not: {speech.words.describe(literal)}")
+    return GoalPart(
+        literal, kept, speech.words.must(literal), f"need not: {speech.words.describe(literal)}"
+    )

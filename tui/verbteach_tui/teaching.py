@@ -8,13 +8,13 @@ from __future__ import annotations
 
 import threading
 
-from verbteach_sessions.errors import CannotUndoError, SessionEndedError
+from verbteach_sessions.errors import CannotUndoError, SessionEndedError, TooLongError
 from verbteach_sessions.recorder import MISFITS
 from verbteach_sessions.script import ScriptAct
 from verbteach_sessions.session import Session
 from verbteach_tui.snapshot import Snapshot, take
 
-REFUSALS = (*MISFITS, CannotUndoError, SessionEndedError)
+REFUSALS = (*MISFITS, CannotUndoError, SessionEndedError, TooLongError)
 """What the person said does not fit; nothing has changed, and the reason is theirs to read."""
 
 

@@ -85,6 +85,7 @@ class HomeScreen(Screen[None]):
         sessions = self.query_one("#sessions", OptionList)
         if entries:
             sessions.set_options(Option(_label(one), id=str(one.path)) for one in entries)
+            sessions.highlighted = 0
         else:
             sessions.set_options([Option("None yet: what you teach is kept here.", disabled=True)])
 

@@ -74,6 +74,7 @@ class TeachScreen(SpeakingScreen):
         Binding("ctrl+z", "word('undo')", "Undo", priority=True),
         Binding("ctrl+y", "word('redo')", "Redo", show=False, priority=True),
         Binding("slash", "type", "Type", show=False),
+        Binding("tab", "switch", "Type, or answer with keys", show=False),
         Binding("f10", "leave", "Leave"),
     ]
 
@@ -83,7 +84,7 @@ class TeachScreen(SpeakingScreen):
         super().__init__(teaching)
         self._speed, self._scenes, self._load = speed, scenes, load
         self._after_leaving: Callable[[], object] | None = None
-        self._guard = KeyGuard()
+        self.guard = KeyGuard()
         self._phase = Phase.COMMAND
 
     def compose(self) -> ComposeResult:
@@ -115,11 +116,11 @@ class TeachScreen(SpeakingScreen):
         self.query_one(MindView).show_mind(snapshot.mind)
         self._show_title(snapshot)
         on_stage = self.query_one(Stage).show_snapshot(snapshot, played, self._speed)
-        self.set_class(on_stage, "-staged")
         if not played:
             self._show_moment(snapshot.moment)
         self._expect(snapshot)
-        self._choose_tab("scene" if played or snapshot.phase is Phase.DEMONSTRATION else "dialogue")
+        looking = played or snapshot.phase is Phase.DEMONSTRATION
+        self._choose_tab("scene" if looking else "dialogue", on_stage)
         self.teaching.shown()
 
     def _show_title(self, snapshot: Snapshot) -> None:
@@ -147,9 +148,12 @@ class TeachScreen(SpeakingScreen):
         if snapshot.phase is Phase.COMMAND:
             line.focus()
         elif not (line.has_focus and went_on):
-            self.set_focus(None)
-            self.query_one(Stage).take_focus()
+            self._answer_with_keys()
         self._show_keys()
+
+    def _answer_with_keys(self) -> None:
+        self.set_focus(None)
+        self.query_one(Stage).take_focus()
 
     def _went_on_typing(self, snapshot: Snapshot) -> bool:
         """Whether one typed step of a demonstration follows another."""
@@ -176,15 +180,15 @@ class TeachScreen(SpeakingScreen):
         if self._typing or character is None or not event.is_printable:
             return
         now = event.time
-        if self._guard.typing(character, now):
+        if self.guard.typing(character, now):
             event.stop()
             event.prevent_default()
-            if self._guard.swallowed == 2:
+            if self.guard.swallowed == 2:
                 self.notify("To answer in words, press Tab or / first.", timeout=3)
         elif self._answers(character):
             event.stop()
             event.prevent_default()
-            if self._guard.answers(now):
+            if self.guard.answers(now):
                 self._say_key(character)
 
     def _answers(self, character: str) -> bool:
@@ -217,8 +221,7 @@ class TeachScreen(SpeakingScreen):
         elif message.word in STEERING:
             self.query_one(Stage).execution.steer(message.word)
         elif message.word == "leave":
-            self.set_focus(None)
-            self.query_one(Stage).take_focus()
+            self._answer_with_keys()
         else:
             self._say_word(message.word, message.word, message.via)
 
@@ -296,6 +299,13 @@ class TeachScreen(SpeakingScreen):
         """Type an answer."""
         self.query_one(CommandInput).focus()
 
+    def action_switch(self) -> None:
+        """From the line to where keys answer, or back to the line."""
+        if self._typing:
+            self._answer_with_keys()
+        else:
+            self.action_type()
+
     def action_tab(self, name: str) -> None:
         """Bring a panel into view; where all are, give it the keys."""
         self._choose_tab(name)
@@ -340,7 +350,10 @@ class TeachScreen(SpeakingScreen):
             yield title, f"To the panel: {title.lower()}", partial(self.action_tab, word)
         yield "Leave", "Leave the session, to go on later", self.action_leave
 
-    def _choose_tab(self, name: str) -> None:
-        for word, _, _ in TABS:
-            self.set_class(word == name, f"-tab-{word}")
+    def _choose_tab(self, name: str, on_stage: bool | None = None) -> None:
+        # All at once: every change of the screen's classes restyles whatever is on it.
+        classes = {f"-tab-{word}": word == name for word, _, _ in TABS}
+        if on_stage is not None:
+            classes["-staged"] = on_stage
+        self.update_classes(classes)
         self.query_one(TabStrip).show_tabs(TABS, name)

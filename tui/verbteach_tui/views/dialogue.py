@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from verbteach_tui.views.rows import Row, Span, padded, width_of, wrapped
+from verbteach_tui.views.rows import Row, Span, clipped, padded, width_of, wrapped
 from verbteach_tui.views.visible import shortened
 
 SPEAKERS = {"robot": "Robot", "teacher": "You", "note": "Note"}
@@ -52,12 +52,12 @@ def _tag(line: DialogueLine) -> str:
 
 def _tagged(rows: list[Row], tag: str, width: int) -> list[Row]:
     """The tag at the right of the last row where there is room, else on a row of its own."""
-    label = Span(f"  {tag}", "tag")
-    room = width - width_of(rows[-1]) - width_of([label])
+    label = clipped([Span(f"  {tag}", "tag")], width)
+    room = width - width_of(rows[-1]) - width_of(label)
     if room >= 0:
-        return [*rows[:-1], (*rows[-1], Span(" " * room), label)]
-    free = max(width - width_of([label]), 0)
-    return [*rows, (Span(" " * free), label)]
+        return [*rows[:-1], (*rows[-1], Span(" " * room), *label)]
+    free = max(width - width_of(label), 0)
+    return [*rows, (Span(" " * free), *label)]
 
 
 def common(old: Sequence[DialogueLine], new: Sequence[DialogueLine]) -> int:

@@ -79,8 +79,8 @@ class DemonstrationBuilder(Vertical):
         )
 
     def take_focus(self) -> None:
-        """Put the keys where the next choice is made."""
-        self.query_one("#objects" if self._action else "#actions").focus()
+        """Put the keys where the next step begins."""
+        self.query_one("#actions").focus()
 
     @property
     def has_keys(self) -> bool:

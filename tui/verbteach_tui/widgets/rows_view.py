@@ -6,8 +6,8 @@ say which target was clicked. It must not know what the rows are about.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import ClassVar, TypeAlias
+from collections.abc import Callable, Mapping, Sequence
+from typing import TypeAlias
 
 from rich.segment import Segment
 from rich.style import Style
@@ -17,7 +17,8 @@ from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
 from verbteach_tui.messages import TargetPicked
-from verbteach_tui.views.rows import STYLES, Row
+from verbteach_tui.views.rows import Row
+from verbteach_tui.widgets.palette import rows_style
 
 Draw: TypeAlias = Callable[[int], Sequence[Row]]
 """Draws the rows for a width in cells."""
@@ -28,7 +29,6 @@ _TARGET = "target"
 class RowsView(ScrollView, can_focus=True):
     """Shows what a draw function draws for its width."""
 
-    COMPONENT_CLASSES: ClassVar[set[str]] = {f"rows--{style}" for style in STYLES}
     DEFAULT_CSS = """
     RowsView {
         overflow-x: hidden;
@@ -36,22 +36,6 @@ class RowsView(ScrollView, can_focus=True):
         scrollbar-gutter: stable;
         scrollbar-size-vertical: 1;
         padding: 0 1;
-        & > .rows--text { color: $foreground; }
-        & > .rows--muted { color: $quiet; }
-        & > .rows--strong { color: $foreground; text-style: bold; }
-        & > .rows--robot { color: $text-primary; text-style: bold; }
-        & > .rows--teacher { color: $text-accent; text-style: bold; }
-        & > .rows--note { color: $quiet; text-style: italic; }
-        & > .rows--accent { color: $text-accent; }
-        & > .rows--good { color: $text-success; }
-        & > .rows--bad { color: $text-error; }
-        & > .rows--warn { color: $text-warning; }
-        & > .rows--new { color: $text-warning; text-style: bold; }
-        & > .rows--asked { color: $background; background: $warning; text-style: bold; }
-        & > .rows--border { color: $rule; }
-        & > .rows--bar { color: $text-primary; }
-        & > .rows--cursor { text-style: reverse; }
-        & > .rows--tag { color: $quiet; }
     }
     """
 
@@ -61,6 +45,7 @@ class RowsView(ScrollView, can_focus=True):
         self._rows: Sequence[Row] = ()
         self._drawn_width = 0
         self._at_end = False
+        self._variables: Mapping[str, str] = {}
 
     def show(self, draw: Draw, *, at_end: bool = False) -> None:
         """Show what ``draw`` draws; ``at_end`` keeps the last row in view."""
@@ -107,13 +92,15 @@ class RowsView(ScrollView, can_focus=True):
         self._redraw()
 
     def notify_style_update(self) -> None:
-        """Another theme: every strip has to be made again."""
+        """Another theme, perhaps: look its colours up anew."""
         super().notify_style_update()
+        self._variables = {}
         self.refresh()
 
     def render_line(self, y: int) -> Strip:
         """The strip at row ``y`` of what is in view."""
         width, base = self.scrollable_content_region.width, self.rich_style
+        self._variables = self._variables or self.app.theme_variables
         index = self.scroll_offset.y + y
         if index >= len(self._rows):
             return Strip.blank(width, base)
@@ -122,10 +109,10 @@ class RowsView(ScrollView, can_focus=True):
             for text, style, target in self._rows[index]
         ]
         left = self.scroll_offset.x
-        return Strip(segments).crop_extend(left, left + width, base)
+        return Strip(segments).crop_extend(left, left + width, base).apply_style(base)
 
     def _style_of(self, style: str, target: str) -> Style:
-        made = self.get_component_rich_style(f"rows--{style}")
+        made = rows_style(style, self._variables)
         return made + Style(meta={_TARGET: target}) if target else made
 
     def on_click(self, event: events.Click) -> None:

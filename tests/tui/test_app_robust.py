@@ -1,0 +1,243 @@
+"""The app under strain: nasty texts, any keys, failing and slow workers; the record stays whole."""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from textual.pilot import Pilot
+
+from tests.tui.room import NORMAL, OPEN_THE_FRIDGE, SETTINGS, learn_to_open, room
+from tests.tui.strategies import NASTY
+from verbteach_sessions.errors import StorageError
+from verbteach_sessions.session import Session
+from verbteach_tui.keyguard import KeyGuard
+from verbteach_tui.options import OpenHome, OpenSession
+from verbteach_tui.screens.failure import FailureScreen
+from verbteach_tui.screens.note import NoteScreen
+from verbteach_tui.screens.teach import TeachScreen
+from verbteach_tui.views.rows import plain
+from verbteach_tui.views.visible import visible
+from verbteach_tui.widgets.command_input import CommandInput
+from verbteach_tui.widgets.dialogue_view import DialogueView
+
+
+async def test_nasty_commands_print_as_themselves(tmp_path: Path) -> None:
+    async with room(tmp_path) as here:
+        for text in NASTY:
+            if not text.strip():
+                continue
+            await here.line(text)
+            if here.phase != "command":
+                await here.key("s")
+            view = here.teach.query_one(DialogueView)
+            shown = "".join(plain(row) for row in view.rows).replace(" ", "")
+            assert visible(text.strip())[:500].replace(" ", "") in shown
+        image = here.app.export_screenshot()
+        assert "\x1b" not in image
+        assert not any(ord(c) < 32 and c not in "\n\t" for c in image)
+
+
+async def test_what_is_pasted_is_one_line_and_nothing_is_sent_by_it(tmp_path: Path) -> None:
+    from textual import events
+
+    async with room(tmp_path) as here:
+        entry = here.teach.query_one(CommandInput)
+        here.app.post_message(events.Paste("open the fridge\nquit\n\x1b[31m"))
+        await here.settle()
+        assert entry.value == "open the fridge"
+        assert here.phase == "command"
+
+
+PRINTABLE = [*"ynsgbtwrufUmdx?/0123456789 +-e", "space"]
+OTHERS = [
+    *("tab", "shift+tab", "enter", "escape", "up", "down", "left", "right", "home", "end"),
+    *("pageup", "pagedown", "backspace", "delete", "ctrl+z", "ctrl+y", "ctrl+p"),
+    *("f1", "f2", "f3", "f4", "f5", "f6"),
+]
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+async def test_hundreds_of_random_keys_never_crash_it_and_never_spoil_the_record(
+    tmp_path: Path, seed: int
+) -> None:
+    rng = np.random.default_rng(seed)
+    async with room(tmp_path, size=NORMAL) as here:
+        path = here.teach.teaching.session.path
+        await here.lines("open the fridge", *OPEN_THE_FRIDGE)
+        for _ in range(300):
+            keys = OTHERS if rng.random() < 0.45 else PRINTABLE
+            await here.pilot.press(keys[rng.integers(len(keys))])
+            if rng.random() < 0.05 and here.app.screen is here.teach:
+                here.teach.query_one(CommandInput).value = str(rng.choice(NASTY))
+        await here.settle()
+        digest = here.teach.teaching.session.robot.state.digest
+    with Session.resume(path, SETTINGS) as again:
+        assert again.recovered == ()
+        assert again.robot.state.digest == digest
+
+
+async def test_a_word_typed_where_keys_answer_is_one_answer_at_most(tmp_path: Path) -> None:
+    async with room(tmp_path, patient=True) as here:
+        await here.lines("open the fridge", *OPEN_THE_FRIDGE, "done")
+        assert here.phase == "read_back"
+        before = len(here.teach.snapshot.lines)
+        here.teach.guard = KeyGuard()
+        await here.pilot.press(*"never")  # n says wrong, r repeat; e and v say nothing
+        await here.settle()
+        said = [line for line in here.teach.snapshot.lines[before:] if line.speaker == "teacher"]
+        assert [line.text for line in said] == ["bad"]
+
+
+async def test_a_failing_robot_becomes_a_dialog_and_the_session_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with room(tmp_path) as here:
+        path = here.teach.teaching.session.path
+        with monkeypatch.context() as patch:
+            patch.setattr("verbteach.dialogue.robot.Robot.receive", _broken)
+            await here.line("open the fridge")
+        assert isinstance(here.app.screen, FailureScreen)
+        assert here.teach.query_one(CommandInput).value == "open the fridge"
+        await here.key("enter")
+        assert isinstance(here.app.screen, TeachScreen)
+        assert here.phase == "command"
+        await learn_to_open(here)
+        assert here.teach.snapshot.figures.verbs == 1
+    with Session.resume(path, SETTINGS) as again:
+        assert again.robot.state.knowledge.verbs == ("open",)
+
+
+def _broken(self: object, act: object) -> None:
+    raise RuntimeError("the [bold]planner[/] fell over \x1b[31m")
+
+
+async def test_a_full_disk_becomes_a_dialog(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(self: Session, *args: Any, **keywords: Any) -> None:
+        raise StorageError(self.path, OSError(28, "No space left on device"))
+
+    async with room(tmp_path) as here:
+        with monkeypatch.context() as patch:
+            patch.setattr(Session, "perform", full)
+            await here.line("open the fridge")
+        assert isinstance(here.app.screen, FailureScreen)
+        await here.key("escape")
+        await here.line("open the fridge")
+        assert here.phase == "demonstration"
+
+
+async def test_a_session_that_cannot_be_opened_is_explained_at_home(tmp_path: Path) -> None:
+    (tmp_path / "broken").mkdir()
+    (tmp_path / "broken" / "events.jsonl").write_text("no log\n")
+    async with room(tmp_path, OpenHome()) as here:
+        await here.pilot.pause(0.2)
+        await here.key("c", "enter")
+        assert isinstance(here.app.screen, FailureScreen)
+        await here.key("enter")
+        assert not isinstance(here.app.screen, TeachScreen)
+        await here.key("n", "enter")
+        assert here.phase == "command"
+
+
+async def test_a_session_named_on_the_command_line_that_is_none_is_handed_back(
+    tmp_path: Path,
+) -> None:
+    from tests.tui.room import options
+    from verbteach_tui.app import VerbteachApp
+
+    app = VerbteachApp(options(tmp_path, OpenSession(tmp_path / "nowhere")))
+    async with app.run_test() as pilot:
+        await _until(pilot, lambda: app.failure is not None)
+    assert app.failure is not None
+
+
+async def _until(pilot: Pilot[None], done: Any) -> None:
+    for _ in range(300):
+        await pilot.pause(0.01)
+        if done():
+            return
+    raise AssertionError("it never came to that")
+
+
+async def test_a_slow_robot_does_not_hold_up_the_screen(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from verbteach.dialogue.robot import Robot
+
+    quick = Robot.receive
+
+    def slow(self: Robot, act: Any) -> Any:
+        time.sleep(0.6)
+        return quick(self, act)
+
+    async with room(tmp_path) as here:
+        monkeypatch.setattr(Robot, "receive", slow)
+        entry = here.teach.query_one(CommandInput)
+        entry.value = "open the fridge"
+        entry.focus()
+        await here.pilot.press("enter")
+        beats = 0
+        while here.teach.thinking:
+            await asyncio.sleep(0.01)
+            beats += 1
+        assert beats > 10, "the event loop went on turning"
+        await here.settle()
+        assert here.phase == "demonstration"
+
+
+async def test_keys_pressed_while_the_robot_thinks_say_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from verbteach.dialogue.robot import Robot
+
+    quick = Robot.receive
+
+    def slow(self: Robot, act: Any) -> Any:
+        time.sleep(0.3)
+        return quick(self, act)
+
+    async with room(tmp_path) as here:
+        await here.lines("open the fridge", *OPEN_THE_FRIDGE, "done")
+        monkeypatch.setattr(Robot, "receive", slow)
+        await here.pilot.press("n", "y", "n", "s")
+        await here.settle()
+        teacher = [line.text for line in here.teach.snapshot.lines if line.speaker == "teacher"]
+        assert teacher[-2:] == ["done", "bad"]
+
+
+async def test_a_note_is_kept_and_the_robot_does_not_hear_it(tmp_path: Path) -> None:
+    async with room(tmp_path) as here:
+        await here.lines("open the fridge", *OPEN_THE_FRIDGE, "done")
+        await here.key("m")
+        assert isinstance(here.app.screen, NoteScreen)
+        await here.pilot.press(*"odd", "enter")
+        await here.settle()
+        assert here.teach.snapshot.lines[-1][:2] == ("note", "odd")
+        assert here.phase == "read_back"
+        await here.key("f")
+        assert here.teach.snapshot.lines[-1][:2] == ("note", "flagged")
+
+
+async def test_why_and_repeat_are_answered_at_once(tmp_path: Path) -> None:
+    async with room(tmp_path) as here:
+        await here.lines("open the fridge", *OPEN_THE_FRIDGE, "done")
+        asked = here.teach.snapshot.lines[-1].text
+        await here.key("r")
+        assert here.teach.snapshot.lines[-1].text == asked
+        await here.key("w")
+        assert "because" in here.teach.snapshot.lines[-1].text.lower()
+
+
+async def test_quitting_records_that_the_person_left(tmp_path: Path) -> None:
+    async with room(tmp_path) as here:
+        session = here.teach.teaching.session
+        await here.line("open the fridge")
+        await here.pilot.press("ctrl+q")
+        await _until(here.pilot, lambda: session.ended)
+        assert session.ended
