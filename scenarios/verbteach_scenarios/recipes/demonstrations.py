@@ -77,6 +77,8 @@ class _Showing:
     actions: list[Action] = field(default_factory=list)
 
     def do(self, action: Action) -> None:
+        if self.actions[-1:] == [action] and action.name == "moveto":
+            return  # there already
         self.state = apply(self.setting.task, self.state, action)
         self.actions.append(action)
 

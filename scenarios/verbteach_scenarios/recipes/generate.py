@@ -30,6 +30,8 @@ from verbteach_scenarios.recipes.tasks import Saying, Task, TeacherHabits
 
 SEED = 2017
 ATTEMPTS = 60
+VARIETY = 3
+"""As many teachers show a verb before one of them shows it a third time."""
 
 _PLACEHOLDER = re.compile(r"\{(\w+)(?::(\w+)|=([^{}]+))?\}")
 _FORMS = frozenset({"some", "bare", "a", "all", "place"})
@@ -69,6 +71,10 @@ class Book:
             for one in self.lessons
         )
         return meant == lesson.goal and not any(same)
+
+    def teachers(self, verb: str) -> Counter[str]:
+        """How many lessons of the verb each teacher has given."""
+        return Counter(one.teacher for one in self.lessons if one.verb == verb)
 
     def add(self, lesson: Lesson) -> None:
         """Number the lesson within its verb and keep it."""
@@ -123,7 +129,7 @@ class _Writer:
         command = chosen and self._say(saying, setting, chosen)
         if not chosen or not command:
             return None
-        teacher, way = self._one(self._weighted), self._one(self.task.ways)
+        teacher, way = self._one(self._able(saying.verb)), self._one(self.task.ways)
         subject = Subject(
             tuple(ground(stage, chosen) for stage in way),
             tuple(ground((literal,), chosen) for literal in self.task.goal),
@@ -172,10 +178,12 @@ class _Writer:
         described = definite(scene, objects[0], self.rng, state)
         return with_determiner(described.text, form)
 
-    @property
-    def _weighted(self) -> list[TeacherHabits]:
-        wanted = self.task.teachers
+    def _able(self, verb: str) -> list[TeacherHabits]:
+        """The teachers to draw from; a verb that few have shown waits for others."""
+        wanted, shown = self.task.teachers, self.book.teachers(verb)
         able = [one for one in self.teachers if one.name in wanted or not wanted]
+        if sum(shown.values()) > 1 and len(shown) < VARIETY and not wanted:
+            able = [one for one in able if one.name not in shown]
         return [teacher for teacher in able for _ in range(teacher.share)]
 
     def _one(self, things: Sequence[_T]) -> _T:
