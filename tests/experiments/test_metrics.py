@@ -6,7 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from verbteach.experiments.metrics import edit_distance, ied, sji
+from verbteach.experiments.metrics import ied, sji
+from verbteach.verbs.agreement import edit_distance
 from verbteach.verbs.change import StateChange
 from verbteach.world.fluents import Fluent
 from verbteach.world.plan import Action

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from verbteach.verbs.agreement import agreement
 from verbteach.verbs.change import StateChange
 from verbteach.world.fluents import Literal
 from verbteach.world.plan import Action
@@ -18,20 +19,7 @@ def ied(gold: Sequence[Action], predicted: Sequence[Action]) -> float:
     1 - Levenshtein distance / length of the longer one, over whole actions,
     arguments included. Two empty sequences are the same: 1.
     """
-    longer = max(len(gold), len(predicted))
-    return 1.0 - edit_distance(gold, predicted) / longer if longer else 1.0
-
-
-def edit_distance(left: Sequence[Action], right: Sequence[Action]) -> int:
-    """Count the insertions, deletions and replacements that turn one sequence into the other."""
-    above = list(range(len(right) + 1))
-    for row, one in enumerate(left, start=1):
-        line = [row]
-        for column, other in enumerate(right, start=1):
-            replaced = above[column - 1] + (one != other)
-            line.append(min(replaced, above[column] + 1, line[-1] + 1))
-        above = line
-    return above[-1]
+    return agreement(gold, predicted)
 
 
 def sji(gold: StateChange, predicted: StateChange) -> float:

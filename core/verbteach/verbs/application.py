@@ -8,13 +8,13 @@ demonstration. Which goal is wanted is not decided here.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import combinations, product
+from itertools import combinations, islice, product
 from typing import NamedTuple, TypeAlias
 
-from verbteach.verbs.knowledge import FrameSpace, HypothesisNode, Use, VerbKnowledge
+from verbteach.verbs.knowledge import Bindings, FrameSpace, HypothesisNode, Use, VerbKnowledge
 from verbteach.verbs.lifting import (
     Binding,
     Lifted,
@@ -62,11 +62,14 @@ class ApplicationParameters:
     ``whole_verb``: the verb's other frames give goals too, their variables
     bound to the new objects in every order-keeping way, left-over ones to the
     object they had; a wider pool than the papers'.
+    ``least_only``: of each demonstration only the most general hypotheses
+    apply, which loses little and is four times faster.
     ``groundings``: at most this many joint groundings, the likeliest first.
     """
 
     replace_missing: int = 0
     whole_verb: bool = False
+    least_only: bool = False
     groundings: int = 64
 
 
@@ -148,7 +151,8 @@ def evidence(
     for frame in _frames(knowledge, situation.frame, parameters.whole_verb):
         arguments = _Arguments(frame, belief)
         for node in frame.nodes.values():
-            for goal, support in _supports(frame, node, arguments, things):
+            bindings = node.least if parameters.least_only else node.bindings
+            for goal, support in _supports(frame, node, bindings, arguments, things):
                 found[goal].append(support)
     gathered = [Evidence(goal, tuple(s), situation) for goal, s in found.items()]
     return tuple(sorted(gathered, key=lambda e: e.key))
@@ -162,24 +166,27 @@ def _frames(knowledge: VerbKnowledge, key: FrameKey, whole_verb: bool) -> list[F
 
 
 def _supports(
-    frame: FrameSpace, node: HypothesisNode, arguments: _Arguments, things: _Things
+    frame: FrameSpace,
+    node: HypothesisNode,
+    bindings: Bindings,
+    arguments: _Arguments,
+    things: _Things,
 ) -> Iterator[tuple[Goal, Support]]:
     needed = variables_of(node.literals)
-    for binding, uses in node.bindings:
+    for binding, uses in bindings:
         for used, share, replaced in things.choices(node.literals, binding):
-            for chosen in arguments.choices(needed, uses):
+            for alike, chosen in arguments.choices(needed, uses):
                 goal = bind(node.literals, chosen.arguments, used)
                 if goal is not None:
-                    probability = chosen.probability * share
                     yield (
                         goal,
                         Support(
                             frame,
                             node,
-                            uses,
+                            alike,
                             chosen.arguments,
                             chosen.grounding,
-                            probability,
+                            chosen.probability * share,
                             replaced,
                         ),
                     )
@@ -197,33 +204,43 @@ class _Arguments:
     def __init__(self, frame: FrameSpace, belief: GroundingBelief) -> None:
         self._arity = frame.key.arity
         self._belief = belief
-        self._known: dict[tuple[frozenset[int], tuple[Objects, ...]], tuple[_Chosen, ...]] = {}
+        self._fewer = bool(belief) and self._arity > len(belief[0][0])
+        self._known: dict[tuple[frozenset[int], Objects], tuple[_Chosen, ...]] = {}
 
-    def choices(self, needed: frozenset[int], uses: Iterable[Use]) -> tuple[_Chosen, ...]:
-        """Arguments for the variables that are needed; equal ones are one, their shares added."""
-        old: tuple[Objects, ...] = ()
-        if self._belief and self._arity > len(self._belief[0][0]):
-            old = tuple(dict.fromkeys(use.demonstration.grounding for use in uses))
+    def choices(
+        self, needed: frozenset[int], uses: tuple[Use, ...]
+    ) -> Iterator[tuple[tuple[Use, ...], _Chosen]]:
+        """Arguments for the variables that are needed, with the uses that may have them.
+
+        Where the command has fewer objects than the frame, the left-over ones
+        are each demonstration's own.
+        """
+        by_old: dict[Objects, list[Use]] = {}
+        for use in uses if self._fewer else ():
+            by_old.setdefault(use.demonstration.grounding, []).append(use)
+        for old, own in by_old.items() if self._fewer else [((), uses)]:
+            for chosen in self._chosen(needed, old):
+                yield tuple(own), chosen
+
+    def _chosen(self, needed: frozenset[int], old: Objects) -> tuple[_Chosen, ...]:
+        """Arguments with their probability; equal ones are one."""
         if (needed, old) not in self._known:
-            self._known[needed, old] = self._gathered(needed, old)
+            found: dict[tuple[str | None, ...], _Chosen] = {}
+            for objects, probability in self._belief:
+                filled = self._filled(objects, old)
+                for full in filled:
+                    key = tuple(o if i in needed else None for i, o in enumerate(full))
+                    before = found.get(key) or _Chosen(key, objects, 0.0)
+                    total = before.probability + probability / len(filled)
+                    found[key] = before._replace(probability=total)
+            self._known[needed, old] = tuple(found.values())
         return self._known[needed, old]
 
-    def _gathered(self, needed: frozenset[int], old: tuple[Objects, ...]) -> tuple[_Chosen, ...]:
-        found: dict[tuple[str | None, ...], _Chosen] = {}
-        for objects, probability in self._belief:
-            filled = self._filled(objects, old)
-            for full in filled:
-                key = tuple(o if i in needed else None for i, o in enumerate(full))
-                before = found.get(key) or _Chosen(key, objects, 0.0)
-                total = before.probability + probability / len(filled)
-                found[key] = before._replace(probability=total)
-        return tuple(found.values())
-
-    def _filled(self, objects: Objects, old: tuple[Objects, ...]) -> list[Objects]:
-        if self._arity <= len(objects):
+    def _filled(self, objects: Objects, old: Objects) -> list[Objects]:
+        if not self._fewer:
             return list(combinations(objects, self._arity))
-        places = list(combinations(range(self._arity), len(objects)))
-        return [_put(objects, at, into) for into in old for at in places]
+        places = combinations(range(self._arity), len(objects))
+        return [_put(objects, at, old) for at in places]
 
 
 def _put(objects: Objects, places: Sequence[int], into: Objects) -> Objects:
@@ -255,5 +272,6 @@ class _Things:
             [thing] if thing in self._here else self._alike.get(affordances_of(term), [])
             for term, thing in zip(terms_of(hypothesis), binding, strict=True)
         ]
-        fitting = [b for b in product(*options) if len(set(b)) == len(b)][: self._most]
+        apart = (b for b in product(*options) if len(set(b)) == len(b))
+        fitting = list(islice(apart, self._most))
         return [(other, 1 / len(fitting), True) for other in fitting]

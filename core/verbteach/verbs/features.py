@@ -1,21 +1,25 @@
 """What can be said for and against one demonstration's vote for a goal, as numbers.
 
-The first five are those known of She & Chai (2016); the others are this
-project's. Each lies between 0 and 1.
+Known of She & Chai (2016) are ``satisfied``, ``other_things``, ``phrases``, and
+two that are votes' own here: a hypothesis at the top level is one that is some
+demonstration's ``whole`` change, and a frequent one has many votes. The others
+are this project's. Each lies between 0 and 1 and depends on nothing but the
+one demonstration and the situation, so that a fold leaves out a demonstration
+by leaving out its votes.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import lru_cache
+from typing import NamedTuple
 
 from verbteach.verbs.application import Evidence, Situation, Support
 from verbteach.verbs.knowledge import Use
+from verbteach.verbs.space import Demonstration
 from verbteach.world.fluents import Literal
 
 NAMES: tuple[str, ...] = (
-    "top",  # no more specific hypothesis is linked to this one
-    "highest",  # no hypothesis of the frame is more frequent
     "satisfied",  # share of the goal's fluents that hold already
     "other_things",  # share of its fluents about a thing that is no argument
     "phrases",  # likeness of the noun phrases, on average
@@ -32,27 +36,31 @@ NAMES: tuple[str, ...] = (
 )
 
 
-def votes(evidence: Evidence) -> Iterator[tuple[tuple[float, ...], float]]:
-    """For each demonstration that speaks for the goal: features (as ``NAMES``), probability."""
+class Vote(NamedTuple):
+    """One demonstration's vote: features (as ``NAMES``) and its grounding's probability."""
+
+    features: tuple[float, ...]
+    probability: float
+    demonstration: Demonstration
+
+
+def votes(evidence: Evidence) -> Iterator[Vote]:
+    """The votes for a goal, by support and then by demonstration."""
     satisfied = evidence.satisfied
     negative = sum(not literal.positive for literal in evidence.goal) / len(evidence.goal)
     size = min(len(evidence.goal), _LARGE) / _LARGE
     for support in evidence.supports:
-        node, frame = support.node, support.frame
-        top = float(not frame.specific[node.literals])
-        highest = float(node.frequency == frame.highest)
-        others = _other_things(node.literals)
+        others = _other_things(support.node.literals)
+        own_frame = float(support.frame.key == evidence.situation.frame)
+        replaced = float(support.replaced)
         for use in support.uses:
-            mean, best = _phrases(evidence.situation.phrases, use.demonstration.phrases)
-            same, alike = _objects(evidence.situation, support, use)
-            yield (
-                (
-                    top, highest, satisfied, others, mean, best, float(use.leaf), float(use.base),
-                    float(use.confirmed), float(frame.key == evidence.situation.frame), same,
-                    alike, float(support.replaced), size, negative,
-                ),
-                support.probability,
+            phrases = _phrases(evidence.situation.phrases, use.demonstration.phrases)
+            marks = (float(use.leaf), float(use.base), float(use.confirmed))
+            objects = _objects(evidence.situation, support, use)
+            features = (
+                satisfied, others, *phrases, *marks, own_frame, *objects, replaced, size, negative
             )  # fmt: skip
+            yield Vote(features, support.probability, use.demonstration)
 
 
 _LARGE = 6

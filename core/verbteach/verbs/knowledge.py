@@ -13,7 +13,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 from verbteach.verbs.lifting import Binding, Lifted
 from verbteach.verbs.space import Demonstration, FrameKey, HypothesisSpace
@@ -31,6 +31,10 @@ class Use(NamedTuple):
     base: bool
     leaf: bool
     confirmed: bool
+
+
+Bindings: TypeAlias = tuple[tuple[Binding, tuple[Use, ...]], ...]
+"""Things that stood for a hypothesis' abstract terms, with who had them stand so."""
 
 
 @dataclass(frozen=True)
@@ -63,12 +67,21 @@ class HypothesisNode:
         return _demonstrations(use for use in self.uses if use.confirmed)
 
     @cached_property
-    def bindings(self) -> tuple[tuple[Binding, tuple[Use, ...]], ...]:
+    def bindings(self) -> Bindings:
         """Each binding once, sorted, with its uses."""
-        found: dict[Binding, list[Use]] = defaultdict(list)
-        for use in self.uses:
-            found[use.binding].append(use)
-        return tuple((binding, tuple(found[binding])) for binding in sorted(found))
+        return _by_binding(self.uses)
+
+    @cached_property
+    def least(self) -> Bindings:
+        """The bindings by demonstrations that kept nothing more general."""
+        return _by_binding(use for use in self.uses if use.leaf)
+
+
+def _by_binding(uses: Iterable[Use]) -> Bindings:
+    found: dict[Binding, list[Use]] = defaultdict(list)
+    for use in uses:
+        found[use.binding].append(use)
+    return tuple((binding, tuple(found[binding])) for binding in sorted(found))
 
 
 @dataclass(frozen=True)

@@ -19,16 +19,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from verbteach.verbs.application import Evidence
-from verbteach.verbs.features import NAMES, votes
+from verbteach.verbs.features import NAMES, Vote, votes
 
 _Array = NDArray[np.float64]
 
 
-class Vote(NamedTuple):
-    """A development vote: features, grounding probability, and the SJI its goal came to."""
+class Judged(NamedTuple):
+    """A development vote with the SJI that its goal came to."""
 
-    features: tuple[float, ...]
-    probability: float
+    vote: Vote
     reward: float
 
 
@@ -36,7 +35,7 @@ class Vote(NamedTuple):
 class FittingParameters:
     """``ridge`` penalises squared weights, against a mean SJI; the ascent is Adam's."""
 
-    ridge: float = 0.01
+    ridge: float = 0.02
     steps: int = 100
     rate: float = 0.1
 
@@ -50,7 +49,7 @@ class Regression:
 
     def score(self, evidence: Evidence) -> float:
         """The goal's votes, each with its weight."""
-        return sum(p * exp(_dot(self.weights, features)) for features, p in votes(evidence))
+        return sum(v.probability * exp(_dot(self.weights, v.features)) for v in votes(evidence))
 
     def to_json(self) -> dict[str, Any]:
         """Plain JSON, weights by feature."""
@@ -66,13 +65,13 @@ class Regression:
 
 
 def fit(
-    commands: Sequence[Sequence[Vote]], parameters: FittingParameters | None = None
+    commands: Sequence[Sequence[Judged]], parameters: FittingParameters | None = None
 ) -> Regression:
     """Fit to the votes of development commands, of goals that have a plan.
 
     Commands whose votes all came to the same say nothing and are left out.
     """
-    telling = [found for found in commands if len({vote.reward for vote in found}) > 1]
+    telling = [found for found in commands if len({judged.reward for judged in found}) > 1]
     if not telling:
         return Regression()
     weights = _Development(telling).ascend(parameters or FittingParameters())
@@ -82,11 +81,11 @@ def fit(
 class _Development:
     """The development votes as arrays; sums are numpy's own, so that threads change nothing."""
 
-    def __init__(self, commands: Sequence[Sequence[Vote]]) -> None:
-        rows = [vote for found in commands for vote in found]
-        self.features: _Array = np.array([vote.features for vote in rows])
-        self.offsets: _Array = np.log([vote.probability for vote in rows])
-        self.rewards: _Array = np.array([vote.reward for vote in rows])
+    def __init__(self, commands: Sequence[Sequence[Judged]]) -> None:
+        rows = [judged for found in commands for judged in found]
+        self.features: _Array = np.array([judged.vote.features for judged in rows])
+        self.offsets: _Array = np.log([judged.vote.probability for judged in rows])
+        self.rewards: _Array = np.array([judged.reward for judged in rows])
         self.starts = np.cumsum([0, *map(len, commands[:-1])])
         self.lengths = np.array([len(found) for found in commands])
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
+from itertools import combinations
 
+from verbteach.verbs.agreement import agreement
 from verbteach.verbs.application import (
     ApplicationParameters,
     Evidence,
@@ -21,10 +23,17 @@ from verbteach.world.plan import Plan, Planner
 
 
 class Pooling(Enum):
-    """How goals with the same plan make that plan's score."""
+    """How goals make a plan's score.
+
+    ``SUM`` adds up those with the same plan (She & Chai 2016), ``BEST`` takes
+    their best. ``CONSENSUS`` sums all goals' scores, each in the measure in
+    which its plan agrees with this one: the plan that is expected to be most
+    nearly right, where people disagree about what the verb asks for.
+    """
 
     SUM = "sum"
     BEST = "best"
+    CONSENSUS = "consensus"
 
 
 @dataclass(frozen=True)
@@ -32,7 +41,7 @@ class SelectionParameters:
     """How a goal is chosen.
 
     ``planned``: at most that many goals are planned for, the best first, which
-    bounds a turn; ``pooling`` is She & Chai's sum unless ``BEST``.
+    bounds a turn; ``pooling`` is She & Chai's sum unless set otherwise.
     """
 
     criterion: Criterion = MOST_GENERAL
@@ -112,17 +121,27 @@ def select(
         answer = planner.plan(state, candidate.goal)
         if isinstance(answer, Plan) and answer.actions:
             served[answer].append(candidate)
-    pooled = [
-        Selection(found[0], plan, _pooled(found, parameters.pooling))
-        for plan, found in served.items()
-    ]
+    scores = _pooled(served, parameters.pooling)
     # max keeps the first of equals, and plans were met in the candidates' order.
-    return max(pooled, key=lambda selection: selection.score, default=None)
+    best = max(served, key=lambda plan: scores[plan], default=None)
+    return None if best is None else Selection(served[best][0], best, scores[best])
 
 
-def _pooled(found: Sequence[GoalCandidate], pooling: Pooling) -> float:
-    scores = [candidate.score for candidate in found]
-    return sum(scores) if pooling is Pooling.SUM else max(scores)
+def _pooled(served: Mapping[Plan, Sequence[GoalCandidate]], pooling: Pooling) -> dict[Plan, float]:
+    if pooling is Pooling.BEST:
+        return {plan: found[0].score for plan, found in served.items()}
+    sums = {plan: sum(one.score for one in found) for plan, found in served.items()}
+    return sums if pooling is Pooling.SUM else _agreed(sums)
+
+
+def _agreed(sums: Mapping[Plan, float]) -> dict[Plan, float]:
+    """Each plan's score with the others' in the measure of their agreement."""
+    scores = dict(sums)
+    for one, other in combinations(sums, 2):
+        alike = agreement(one.actions, other.actions)
+        scores[one] += alike * sums[other]
+        scores[other] += alike * sums[one]
+    return scores
 
 
 def _candidate(one: Evidence, score: float, share: float) -> GoalCandidate:
