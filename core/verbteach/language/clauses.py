@@ -9,7 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from verbteach.language import household, words
-from verbteach.language.assembly import OBJECT, PLACE, Clause, Piece, attaches_to_noun
+from verbteach.language.assembly import OBJECT, PLACE, Clause, Piece
+from verbteach.language.coordination import (
+    has_recipient,
+    joined_role,
+    same_kind,
+    verb_level_role,
+)
 from verbteach.language.frames import NounPhrase
 from verbteach.language.openers import Mood
 from verbteach.language.phrases import END, Ends
@@ -252,7 +258,7 @@ class SentenceReader:
         index, announced = self._behind_links()
         if index >= self._size or self._at(index) in words.SUBORDINATORS:
             return None
-        if _has_recipient(clause) and not self._classes.is_verb(self._at(index)):
+        if has_recipient(clause) and not self._classes.is_verb(self._at(index)):
             return self._joined(clause, index) if self._phrases.starts(index) else None
         if self._verbs.begins_clause(index, linked=announced) or self._calls(index):
             clause.bare = not clause.pieces
@@ -282,7 +288,7 @@ class SentenceReader:
         if len(clause.pieces) > before:
             added = clause.pieces.pop()
             nested = self._at(self._i) == "of" or added.phrase.head in household.CONTAINERS
-            role = _joined_role(clause, added.phrase, nested=nested)
+            role = joined_role(clause, added.phrase, nested=nested)
             clause.pieces.append(added._replace(role=role))
         return clause
 
@@ -330,12 +336,12 @@ class SentenceReader:
             return following
         following.particle = clause.particle
         found = self._phrases.preposition(after)
-        settled = _verb_level_role(clause) or clause.pieces[-1].role == PLACE
+        settled = verb_level_role(clause) or clause.pieces[-1].role == PLACE
         if settled and self._phrases.place_adverb(after) > after:
             return following
-        placed = found is not None and _same_kind(found[0], _verb_level_role(clause))
+        placed = found is not None and same_kind(found[0], verb_level_role(clause))
         between = clause.pieces[-1].role == "between" and not clause.pieces[-1].joined
-        given = _has_recipient(clause) and self._phrases.starts(after)
+        given = has_recipient(clause) and self._phrases.starts(after)
         return following if (placed and not between) or given else None
 
     def _behind_phrases(self, index: int) -> int | None:
@@ -352,47 +358,3 @@ class SentenceReader:
             else:
                 return index
         return None
-
-
-def _verb_level_role(clause: Clause) -> str | None:
-    """The role of the last phrase that belongs to the verb and not to a noun."""
-    before: NounPhrase | None = None
-    role = None
-    for piece in clause.pieces:
-        free = piece.role not in {OBJECT, PLACE}
-        if free and not attaches_to_noun(clause.verb, before, piece.role, piece.phrase):
-            role = piece.role
-        before = piece.phrase
-    return role
-
-
-def _same_kind(role: str, other: str | None) -> bool:
-    places = words.LOCATIVES | words.DIRECTIONALS
-    return other is not None and (role == other or (role in places and other in places))
-
-
-def _has_recipient(clause: Clause) -> bool:
-    first_two = clause.pieces[:2]
-    return len(first_two) == 2 and all(p.role == OBJECT and not p.joined for p in first_two)
-
-
-def _joined_role(clause: Clause, phrase: NounPhrase, *, nested: bool) -> str:
-    """What a phrase behind a conjunction is: one more object, or one more of the last role.
-
-    ``nested``: not one more content, as in "a bowl of chips and a bag of chips".
-    """
-    pieces = list(clause.pieces)
-    while nested and pieces and pieces[-1].role == "of":
-        pieces.pop()
-    if not pieces:
-        return OBJECT
-    last = pieces[-1]
-    if last.role in {OBJECT, PLACE} or not clause.objects:
-        return OBJECT if last.role == PLACE else last.role
-    before = pieces[-2].phrase if len(pieces) > 1 else None
-    if attaches_to_noun(clause.verb, before, last.role, last.phrase):
-        whole = bool(phrase.determiner) or phrase.is_pronoun
-        return OBJECT if whole else last.role
-    is_place = phrase.head in household.PLACES
-    mismatched = last.phrase.head in household.PLACES and not is_place
-    return OBJECT if mismatched else last.role

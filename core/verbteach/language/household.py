@@ -134,7 +134,7 @@ NOUNS = word_set(
     "conditioner thermostat washer dryer machine iron vacuum hoover tv television screen monitor "
     "remote controller control console xbox playstation computer laptop tablet phone telephone "
     "charger cable cord wire plug socket outlet switch button knob dial lever handle radio stereo "
-    "speaker headphone camera battery channel volume movie film game cd dvd disc disk record song "
+    "speaker headphones camera battery channel volume movie film game cd dvd disc disk record song "
     "music show program book magazine newspaper letter envelope note pen pencil marker crayon "
     "eraser scissors tape glue stapler ruler notebook folder card calendar key keychain wallet "
     "purse backpack suitcase luggage umbrella coat jacket sweater shirt tshirt pants trousers "

@@ -52,7 +52,7 @@ _ALWAYS_PLURAL = word_set(
 )
 _UNCOUNTED = word_set(
     "silverware cutlery furniture luggage news series species sheep fish asparagus hummus "
-    "couscous molasses citrus tennis apparatus water milk rice"
+    "couscous molasses citrus tennis apparatus water milk rice broccoli spinach"
 )
 _SINGULAR_IN_S = word_set(
     "gas bus lens iris canvas atlas cactus octopus thermos virus campus basis status bias bonus "
