@@ -96,6 +96,10 @@ class ExecutionInquiry:
 
     def candidates(self) -> tuple[Candidate, ...]:
         """The acts to choose from, questions first; never none."""
+        return self._candidates
+
+    @cached_property
+    def _candidates(self) -> tuple[Candidate, ...]:
         if self.pool.empty or not self.best:
             shown = RequestDemonstration(DemonstrationReason.NO_HYPOTHESIS)
             return (Candidate(shown, {"request_demonstration": 1.0}),)
@@ -154,13 +158,13 @@ class ExecutionInquiry:
 
     def _environment_questions(self) -> Iterator[tuple[RobotAct, dict[str, float]]]:
         """Doubtful fluents about the things that the best goal or a likely one speaks of."""
-        wanted = self._relevance()
+        floor = self.parameters.doubt
+        unsure = [(f, c) for f, c in self.belief.items() if floor < c < 1.0 - floor]
+        wanted = self._relevance() if unsure else {}
         found = []
-        for fluent, confidence in self.belief.items():
-            question = EnvPredYnq(fluent)
+        for fluent, confidence in unsure:
             relevance = max((wanted.get(word, 0.0) for word in fluent.args), default=0.0)
-            unsure = min(confidence, 1.0 - confidence) > self.parameters.doubt
-            if unsure and relevance > 0.0 and question not in self.asked:
+            if relevance > 0.0 and EnvPredYnq(fluent) not in self.asked:
                 found.append((-doubt(confidence) * relevance, fluent, confidence, relevance))
         for _, fluent, confidence, relevance in sorted(found)[
             : self.parameters.environment_questions

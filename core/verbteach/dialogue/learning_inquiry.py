@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 from verbteach.dialogue.acts import (
     BulkNpGrdYnq,
@@ -64,6 +65,10 @@ class LearningInquiry:
 
     def candidates(self) -> tuple[Candidate, ...]:
         """The acts to choose from, questions first; never none."""
+        return self._candidates
+
+    @cached_property
+    def _candidates(self) -> tuple[Candidate, ...]:
         found: list[Candidate] = []
         if len(self.asked) < self.parameters.cap:
             found = candidates(self._questions(), self._asking())

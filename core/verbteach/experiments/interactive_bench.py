@@ -18,7 +18,8 @@ from verbteach.experiments.gold import gold_sequence
 from verbteach.experiments.sight import Sight
 from verbteach.experiments.workroom import Workroom, Workrooms
 from verbteach.perception.belief import Belief
-from verbteach.verbs.analogy import Analogies, Example
+from verbteach.verbs.analogy import Analogies
+from verbteach.verbs.examples import Memory
 from verbteach.verbs.instance import Instance
 from verbteach.verbs.pool import PoolParameters, PoolSource
 from verbteach.verbs.resemblance import Said
@@ -77,11 +78,9 @@ class Bench:
             self._analogies[instance.id] = Analogies(said, tuple(joint), setting)
         return self._analogies[instance.id]
 
-    def command(
-        self, instance: Instance, sight: Sight, known: Sequence[Example]
-    ) -> ExecutionInquiry:
+    def command(self, instance: Instance, sight: Sight, memory: Memory) -> ExecutionInquiry:
         """The execution phase of an instance's command, nothing asked yet."""
-        source = PoolSource(self.analogies(instance), known, self.parameters.pool)
+        source = PoolSource(self.analogies(instance), memory, self.parameters.pool)
         weights: Mapping[str, Mapping[str, float]] = {
             phrase: dict.fromkeys(things, 1.0)
             for phrase, things in zip(instance.phrases, self.candidates(instance), strict=True)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
@@ -35,6 +36,7 @@ class DemonstrationOnlyPolicy:
     clear_margin: float = 0.2
     ask_references: bool = True
     name: str = "she16"
+    asks: ClassVar[bool] = False
 
     def choose(
         self, episode: EpisodeState, candidates: Sequence[Candidate], rng: np.random.Generator

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
@@ -37,6 +38,7 @@ class SilentPolicy:
     """Asks nothing."""
 
     name: str = "silent"
+    asks: ClassVar[bool] = True
 
     def choose(
         self, episode: object, candidates: Sequence[Candidate], rng: np.random.Generator
@@ -50,6 +52,7 @@ class RandomPolicy:
     """Chooses every act with the same probability (She & Chai 2017, section 5.1)."""
 
     name: str = "random"
+    asks: ClassVar[bool] = True
 
     def choose(
         self, episode: object, candidates: Sequence[Candidate], rng: np.random.Generator
@@ -70,6 +73,7 @@ class ManualPolicy:
 
     doubt: float = 0.2
     name: str = "manual"
+    asks: ClassVar[bool] = True
 
     def choose(
         self, episode: object, candidates: Sequence[Candidate], rng: np.random.Generator
@@ -95,6 +99,7 @@ class SplitPolicy:
     cap: float = 3.0
     doubt: float = 0.1
     name: str = "split"
+    asks: ClassVar[bool] = True
 
     def choose(
         self, episode: object, candidates: Sequence[Candidate], rng: np.random.Generator

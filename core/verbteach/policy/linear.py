@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from functools import cached_property
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,9 +21,14 @@ class FeatureSpace:
 
     names: tuple[str, ...]
 
+    @cached_property
+    def index(self) -> Mapping[str, int]:
+        """Each name's place."""
+        return {name: place for place, name in enumerate(self.names)}
+
     def matrix(self, candidates: Sequence[Candidate]) -> Floats:
         """Candidates x features. Raises ``KeyError`` for a feature that the phase does not have."""
-        index = {name: i for i, name in enumerate(self.names)}
+        index = self.index
         found = np.zeros((len(candidates), len(self.names)))
         for row, candidate in enumerate(candidates):
             for name, value in candidate.features.items():
@@ -62,6 +68,7 @@ class LinearPolicy:
     weights: Weights
     epsilon: float = 0.0
     name: str = "rl"
+    asks: ClassVar[bool] = True
 
     def choose(
         self, episode: object, candidates: Sequence[Candidate], rng: np.random.Generator

@@ -7,15 +7,15 @@ so the bindings are remembered for as long as the command and the room last.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from verbteach.verbs.knowledge import VerbKnowledge
-from verbteach.verbs.lifting import Binding, Lifted, bind
+from verbteach.verbs.examples import Example, Memory, Pattern
+from verbteach.verbs.lifting import bind
 from verbteach.verbs.resemblance import Kernel, Said, likeness, overlap
 from verbteach.verbs.setting import Setting
 from verbteach.verbs.space import Demonstration
@@ -23,28 +23,6 @@ from verbteach.world.fluents import Literal
 
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
-
-
-class Example(NamedTuple):
-    """A demonstration's whole change, lifted: the top of its hypothesis space."""
-
-    demonstration: Demonstration
-    change: Lifted
-    binding: Binding
-
-    @property
-    def said(self) -> Said:
-        """The command that was demonstrated."""
-        return Said(self.demonstration.verb, self.demonstration.phrases)
-
-
-def examples(knowledge: VerbKnowledge) -> tuple[Example, ...]:
-    """Every demonstration of every verb, by frame and then in the frame's order."""
-    return tuple(
-        Example(space.demonstration, space.nodes[0].literals, space.nodes[0].bindings[0])
-        for space in knowledge.spaces
-        if space.nodes
-    )
 
 
 class Transfer(NamedTuple):
@@ -83,8 +61,7 @@ class Analogies:
     """The bindings of one command in one room, made as they are asked for.
 
     ``groundings`` are the joint groundings, an object for each noun phrase.
-    Literals are numbered in the order they turn up; ``ranks`` puts them into
-    an order that does not depend on that.
+    Literals are numbered in the order they turn up; nothing may hang on that order.
     """
 
     def __init__(self, said: Said, groundings: Sequence[tuple[str, ...]], setting: Setting) -> None:
@@ -93,20 +70,29 @@ class Analogies:
         self.setting = setting
         self.literals: list[Literal] = []
         self._number: dict[Literal, int] = {}
-        self._transfers: dict[tuple[object, ...], Transfer] = {}
+        self._transfers: dict[Pattern, Transfer] = {}
+        self._alike: dict[Said, tuple[float, float, float, float]] = {}
 
-    def gathered(self, known: Iterable[Example], kernel: Kernel, most: int) -> Gathered:
-        """Bind the ``most`` examples whose commands are most alike, ties in the given order."""
-        weights = kernel.of_words.tolist()
-        scored = [(self._score(example, weights), example) for example in known]
-        scored.sort(key=lambda pair: -pair[0])
-        found = [(score, self._transfer(example)) for score, example in scored[:most]]
+    def gathered(self, memory: Memory, kernel: Kernel, most: int) -> Gathered:
+        """Bind the ``most`` examples whose commands are most alike, ties in the memory's order."""
+        scores = (self._table(memory) @ kernel.of_words)[memory.command_of]
+        chosen = np.argsort(-scores, kind="stable")[:most].tolist()
+        found = [(float(scores[i]), self._transfer(memory.examples[i])) for i in chosen]
         return _joined([pair for pair in found if pair[1].rows])
 
-    def nearness(self, example: Example) -> float:
-        """How alike the noun phrases of the command and the example are, 0 to 1 (Table 3)."""
-        _, _, slots, words = likeness(self.said, example.said)
-        return 0.5 * (slots + words)
+    def nearness(self, memory: Memory) -> float:
+        """How alike the noun phrases of the command and the nearest example are (Table 3)."""
+        if not memory.examples:
+            return 0.0
+        return float(self._table(memory)[:, 2:].mean(1).max())
+
+    def _table(self, memory: Memory) -> Floats:
+        """The likenesses of each of the memory's commands."""
+        known = self._alike
+        for said in memory.commands:
+            if said not in known:
+                known[said] = likeness(self.said, said)
+        return np.array([known[said] for said in memory.commands]).reshape(-1, 4)
 
     def number(self, literal: Literal) -> int:
         """The literal's number, a new one if it has none."""
@@ -115,16 +101,11 @@ class Analogies:
             self.literals.append(literal)
         return number
 
-    def _score(self, example: Example, weights: Sequence[float]) -> float:
-        alike = likeness(self.said, example.said)
-        return sum(weight * value for weight, value in zip(weights, alike, strict=True))
-
     def _transfer(self, example: Example) -> Transfer:
-        demonstration = example.demonstration
-        key = (example.change, example.binding, demonstration.phrases, demonstration.grounding)
-        if key not in self._transfers:
-            self._transfers[key] = self._bound(example)
-        return self._transfers[key]
+        pattern = example.pattern
+        if pattern not in self._transfers:
+            self._transfers[pattern] = self._bound(example)
+        return self._transfers[pattern]
 
     def _bound(self, example: Example) -> Transfer:
         known = self.setting.affordances

@@ -18,7 +18,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from verbteach.verbs.analogy import Analogies, Example, Gathered
+from verbteach.verbs.analogy import Analogies, Gathered
+from verbteach.verbs.examples import Memory
 from verbteach.verbs.resemblance import Kernel
 from verbteach.world.fluents import Fluent, Goal, Literal, State
 
@@ -231,13 +232,13 @@ class GoalPool:
 class PoolSource:
     """What a command's pool is made from, whatever the state is believed to be."""
 
-    def __init__(
-        self, analogies: Analogies, known: Sequence[Example], parameters: PoolParameters
-    ) -> None:
+    def __init__(self, analogies: Analogies, memory: Memory, parameters: PoolParameters) -> None:
         self.analogies = analogies
         self.parameters = parameters
-        self.nearest = max((analogies.nearness(example) for example in known), default=0.0)
-        self._gathered: Gathered = analogies.gathered(known, parameters.kernel, parameters.examples)
+        self.nearest = analogies.nearness(memory)
+        self._gathered: Gathered = analogies.gathered(
+            memory, parameters.kernel, parameters.examples
+        )
 
     def pool(self, state: State, chances: Floats) -> GoalPool:
         """The belief where ``state`` is believed and groundings have the probabilities ``chances``.

@@ -1,0 +1,294 @@
+"""The interactive protocol: learn to ask, acquire verbs by asking, freeze, test elsewhere.
+
+Fixed before any training (METHOD of the comparison): whole environments are
+held out; of the training instances a share teaches the policy and the rest the
+verbs; each test command gets one execution phase and one execution, nothing is
+fed back. The weights for a held-out environment are trained on none of its
+group of environments. Draws depend on seed, run and instance, so that every
+policy meets the same noise.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+import numpy as np
+
+from verbteach.dialogue import execution_inquiry, learning_inquiry
+from verbteach.dialogue.acts import IncludeFluent
+from verbteach.dialogue.execution_inquiry import ExecutionInquiry
+from verbteach.dialogue.learning_inquiry import LearningInquiry
+from verbteach.experiments.interactive import Dialogue, carry_out, hold
+from verbteach.experiments.interactive_bench import Bench
+from verbteach.experiments.interactive_training import Practice, TrainingParameters, train
+from verbteach.experiments.sight import Sight, stream
+from verbteach.experiments.simulated_human import HumanParameters, SimulatedHuman
+from verbteach.perception.noise import NoiseModel
+from verbteach.policy.asking_policy import AskingPolicy
+from verbteach.policy.fixed_rules import ManualPolicy, RandomPolicy, SilentPolicy, SplitPolicy
+from verbteach.policy.linear import FeatureSpace, LinearPolicy, Weights
+from verbteach.verbs.examples import Example, Memory
+from verbteach.verbs.instance import Instance
+from verbteach.verbs.lifting import lift
+from verbteach.verbs.space import Demonstration
+
+EXECUTION = FeatureSpace(tuple(execution_inquiry.FEATURES))
+LEARNING = FeatureSpace(tuple(learning_inquiry.FEATURES))
+
+
+@dataclass(frozen=True)
+class Config:
+    """One run of one policy at one noise level; equal configurations give equal results.
+
+    ``policy``: ``rl``, ``manual``, ``random``, ``split`` or ``silent``.
+    ``policy_share`` of the training instances teach the policy, and
+    ``verb_share`` of the rest the verbs. ``held_out`` are the environments to
+    test in (all where empty); ``groups`` how many groups of environments the
+    weights are trained for. ``keep_wrong`` keeps goals that the human rejected.
+    """
+
+    policy: str = "rl"
+    noise: str = "perfect"
+    reading: str = "literal"
+    seed: int = 0
+    run: int = 0
+    split_cap: float = 3.0
+    policy_share: float = 0.25
+    verb_share: float = 1.0
+    groups: int = 4
+    held_out: tuple[str, ...] = ()
+    keep_wrong: bool = False
+    human: HumanParameters = field(default_factory=HumanParameters)
+    training: TrainingParameters = field(default_factory=TrainingParameters)
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain JSON: what the row of a sweep is keyed by."""
+        return asdict(self)
+
+
+@dataclass(frozen=True)
+class Tested:
+    """How one test command went; ``questions`` counts acts by name."""
+
+    instance: str
+    group: str
+    ied: float
+    sji: float
+    right: bool
+    expected: float
+    certainty: float
+    questions: Mapping[str, int]
+
+
+@dataclass(frozen=True)
+class Taught:
+    """How the verbs were acquired: dialogues, goals judged right, questions by act name."""
+
+    dialogues: int
+    right: int
+    questions: Mapping[str, int]
+
+
+@dataclass(frozen=True)
+class Result:
+    """One run: every test command, in the instances' order, and the learning before."""
+
+    tested: tuple[Tested, ...]
+    taught: Taught
+    weights: Mapping[str, Mapping[str, float]]
+
+
+@dataclass(frozen=True)
+class Policies:
+    """The policies of both phases."""
+
+    learning: AskingPolicy
+    execution: AskingPolicy
+
+
+def run(bench: Bench, config: Config) -> Result:
+    """Carry out one configuration."""
+    return _Run(bench, config).result()
+
+
+class _Acquired(dict[str, Example]):
+    """Examples by instance id."""
+
+
+class _Run:
+    def __init__(self, bench: Bench, config: Config) -> None:
+        self.bench = bench
+        self.config = config
+        noise = NoiseModel.named(config.noise, config.reading)
+        self.sight = Sight.of(noise, bench.instances, config.seed, config.run)
+        self.environments = sorted({i.environment for i in bench.instances})
+        self.quarter, self.lessons = self._parts()
+        self.taught: list[Taught] = []
+        self.weights: dict[str, Mapping[str, float]] = {}
+
+    def result(self) -> Result:
+        """Every group of held-out environments in turn."""
+        tested = [row for group in self._groups() for row in self._group(group)]
+        tested.sort(key=lambda row: row.instance)
+        questions: Counter[str] = Counter()
+        for one in self.taught:
+            questions.update(one.questions)
+        taught = Taught(
+            sum(one.dialogues for one in self.taught),
+            sum(one.right for one in self.taught),
+            dict(sorted(questions.items())),
+        )
+        return Result(tuple(tested), taught, self.weights)
+
+    def _parts(self) -> tuple[list[Instance], list[Instance]]:
+        """The instances that teach the policy, and those that teach verbs."""
+        config, instances = self.config, self.bench.instances
+        order = stream(config.seed, config.run, "parts").permutation(len(instances)).tolist()
+        first = round(config.policy_share * len(order))
+        last = first + round(config.verb_share * (len(order) - first))
+        quarter = [instances[i] for i in sorted(order[:first])]
+        return quarter, [instances[i] for i in sorted(order[first:last])]
+
+    @property
+    def _learns(self) -> bool:
+        return self.config.policy == "rl"
+
+    def _groups(self) -> list[list[str]]:
+        wanted = self.config.held_out or tuple(self.environments)
+        order = stream(self.config.seed, self.config.run, "groups").permutation(
+            len(self.environments)
+        )
+        groups = [
+            [self.environments[i] for i in sorted(part.tolist())]
+            for part in np.array_split(order, self.config.groups if self._learns else 1)
+        ]
+        kept = [[name for name in group if name in wanted] for group in groups]
+        return [group for group in kept if group]
+
+    def _group(self, group: Sequence[str]) -> Iterator[Tested]:
+        name = " ".join(group)
+        practice = [i for i in self.quarter if i.environment not in group]
+        learning = self._learning_policy(practice, name)
+        acquired = self._acquire(learning)
+        execution = self._execution_policy(practice, group, acquired, name)
+        for environment in group:
+            memory = self._memory(acquired, {environment})
+            for instance in self.bench.instances:
+                if instance.environment == environment:
+                    yield self._test(instance, memory, execution)
+
+    def _learning_policy(self, practice: Sequence[Instance], name: str) -> AskingPolicy:
+        if not self._learns:
+            return _rule(self.config)
+        situations = [self._demonstration_practice(i) for i in practice]
+        rng = self._stream("learning", name)
+        trained = train(situations, LEARNING, self.config.training, rng)
+        return self._keep("learning " + name, trained.weights)
+
+    def _execution_policy(
+        self,
+        practice: Sequence[Instance],
+        group: Sequence[str],
+        acquired: Mapping[str, Example],
+        name: str,
+    ) -> AskingPolicy:
+        if not self._learns:
+            return _rule(self.config)
+        memories = {
+            environment: self._memory(acquired, {environment, *group})
+            for environment in sorted({i.environment for i in practice})
+        }
+        situations = [self._command_practice(i, memories[i.environment]) for i in practice]
+        rng = self._stream("execution", name)
+        trained = train(situations, EXECUTION, self.config.training, rng)
+        return self._keep("execution " + name, trained.weights)
+
+    def _keep(self, name: str, weights: Weights) -> LinearPolicy:
+        self.weights[name] = weights.to_json()
+        return LinearPolicy(weights)
+
+    def _demonstration_practice(self, instance: Instance) -> Practice[LearningInquiry]:
+        human = self._human(instance)
+        start = self.bench.demonstration(instance, self.sight)
+        return Practice(start, human, lambda held: human.right_goal(held.state.goal))
+
+    def _command_practice(self, instance: Instance, memory: Memory) -> Practice[ExecutionInquiry]:
+        human, gold = self._human(instance), self.bench.gold(instance)
+        start = self.bench.command(instance, self.sight, memory)
+        right_from = self.config.human.right_from
+
+        def right(held: Dialogue[ExecutionInquiry]) -> bool:
+            return carry_out(held.state, human, gold).sji >= right_from
+
+        return Practice(start, human, right)
+
+    def _acquire(self, policy: AskingPolicy) -> _Acquired:
+        """Teach the verbs: one learning phase for each lesson."""
+        acquired = _Acquired()
+        questions: Counter[str] = Counter()
+        right = 0
+        for instance in self.lessons:
+            human = self._human(instance)
+            start = self.bench.demonstration(instance, self.sight)
+            rng = self._stream("acquire", instance.id)
+            held = hold(start, policy, human, self.config.training.priced, rng)
+            questions.update(held.questions)
+            if isinstance(held.ended_with, IncludeFluent):
+                good = human.right_goal(held.state.goal)
+                right += good
+                if good or self.config.keep_wrong:
+                    acquired[instance.id] = self._example(instance, held.state)
+        self.taught.append(Taught(len(self.lessons), right, questions))
+        return acquired
+
+    def _example(self, instance: Instance, state: LearningInquiry) -> Example:
+        setting = self.bench.room(instance).setting
+        change, binding = lift(state.goal, state.objects, setting)
+        shown = Demonstration(instance.id, instance.verb, instance.phrases, state.objects)
+        return Example(shown, change, binding)
+
+    def _memory(self, acquired: Mapping[str, Example], without: set[str]) -> Memory:
+        return Memory.keeping(
+            acquired[i.id]
+            for i in self.lessons
+            if i.id in acquired and i.environment not in without
+        )
+
+    def _test(self, instance: Instance, memory: Memory, policy: AskingPolicy) -> Tested:
+        human = self._human(instance)
+        start = self.bench.command(instance, self.sight, memory)
+        rng = self._stream("test", instance.id)
+        held = hold(start, policy, human, self.config.training.priced, rng)
+        carried = carry_out(held.state, human, self.bench.gold(instance))
+        pool = held.state.pool
+        return Tested(
+            instance.id,
+            instance.group,
+            carried.ied,
+            carried.sji,
+            carried.sji >= self.config.human.right_from,
+            0.0 if pool.empty else float(pool.decision.values.max()),
+            0.0 if pool.empty else pool.certainty,
+            dict(sorted(held.questions.items())),
+        )
+
+    def _human(self, instance: Instance) -> SimulatedHuman:
+        return SimulatedHuman(instance, self.bench.room(instance), self.config.human)
+
+    def _stream(self, *names: str) -> np.random.Generator:
+        return stream(self.config.seed, self.config.run, *names)
+
+
+def _rule(config: Config) -> AskingPolicy:
+    rules: dict[str, AskingPolicy] = {
+        "manual": ManualPolicy(),
+        "random": RandomPolicy(),
+        "split": SplitPolicy(config.split_cap),
+        "silent": SilentPolicy(),
+    }
+    if config.policy not in rules:
+        raise ValueError(f"no policy {config.policy!r}; there are rl, {', '.join(rules)}")
+    return rules[config.policy]
