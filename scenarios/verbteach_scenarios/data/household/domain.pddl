@@ -3,7 +3,7 @@
 ; Substances are values, not things: a vessel has water, there is no water to
 ; grasp. Heat and cold belong to things and to substances alike: a substance is
 ; hot once some of it in the room has been heated. A hot vessel has something
-; hot in it, and what is poured from it makes the next one hot.
+; hot in it, and a drink poured from it makes the next one hot.
 ;
 ; The robot handles what it is near to. It is near what it last went to, what it
 ; holds, and what it has just put down.
@@ -303,8 +303,8 @@
     (forall (?s - substance) (when (contains ?x ?s) (has ?y ?s)))
     (forall (?v - vessel ?s - substance)
       (when (and (= ?v ?x) (has ?v ?s)) (and (has ?y ?s) (not (has ?v ?s)))))
-    (forall (?v - vessel ?s - substance)
-      (when (and (= ?v ?x) (hot ?v) (has ?v ?s)) (and (hot ?y) (not (cold ?y)))))
+    (forall (?v - vessel ?l - liquid)
+      (when (and (= ?v ?x) (hot ?v) (has ?v ?l)) (and (hot ?y) (not (cold ?y)))))
     (not (mixed ?y))))
 
 (:action fill
