@@ -1,9 +1,10 @@
 """From text to a syntax tree whose words know their lines; knows nothing of what they mean.
 
-The grammar is the ``pddl`` library's. Its own readers are not used: since
-0.5 they compare names without regard to case, they keep actions and
-predicates in unordered sets, and they forget where a word stood, so neither
-``Kettle_1`` beside ``kettle_1`` nor an error's line would survive them.
+The grammar is the ``pddl`` library's, in one file since its 0.4.4. The
+library's own readers are not used: since 0.5 they compare names without
+regard to case, they keep actions and predicates in unordered sets, and they
+forget where a word stood, so neither ``Kettle_1`` beside ``kettle_1`` nor an
+error's line would survive them.
 """
 
 from __future__ import annotations
