@@ -7,7 +7,8 @@ so the plans are the same; the tests hold the two against each other.
 Few arrays are passed around, because compiled code counts references to each
 of them at each call. A task is one array of numbers, see ``task_array``. A state
 is a row of 64-bit words. Marks hold the number of the round that made them,
-so that scratch arrays need no clearing between estimates.
+so that scratch arrays need no clearing between estimates. It is one file,
+because compiled code on the disk is renewed only when its own file changes.
 """
 
 from __future__ import annotations

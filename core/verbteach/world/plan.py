@@ -44,7 +44,7 @@ class Plan:
 
 @dataclass(frozen=True)
 class PlanFailure:
-    """No plan: the reason, and in ``detail`` what it concerns."""
+    """No plan: the reason, and in ``detail`` what it concerns: a literal, a fluent, a bound."""
 
     reason: FailureReason
     detail: str = ""

@@ -153,10 +153,17 @@ class SearchPlanner:
         if isinstance(found, Exhausted):
             if found.bound:
                 return PlanFailure(FailureReason.BOUND, f"{self.config.expansions} states judged")
-            return PlanFailure(FailureReason.UNREACHABLE)
+            return PlanFailure(FailureReason.UNREACHABLE, self._hopeless(bits, goal))
         actions = self.task.actions
         steps = refined(bits, [actions[number] for number in found], self._encoded(goal))
         return Plan(tuple(step.action for step in steps))
+
+    def _hopeless(self, bits: int, goal: Goal) -> str:
+        """Name the first literal that even the relaxed task never reaches, if it is one alone."""
+        for literal in sorted(goal):
+            if self.relaxed.estimate(bits, self.relaxed.propositions((literal,))) is None:
+                return str(literal)
+        return ""
 
     def _encoded(self, goal: Goal) -> EncodedGoal:
         return EncodedGoal(
