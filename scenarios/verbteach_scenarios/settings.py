@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import cache
 from pathlib import Path
 
 from verbteach.dialogue.setting import Setting, Settings
-from verbteach.world.planner import make_planner
+from verbteach.world.planner import PlannerConfig, make_planner
 from verbteach.world.task import Task
 from verbteach_scenarios.lexicon_file import load_lexicon
 from verbteach_scenarios.scenes import load_scene
+
+# A goal without a plan is given up within a second or two on the plain path; no goal of a
+# bundled lesson needs more.
+_INTERACTIVE = PlannerConfig(expansions=500)
 
 
 def make_settings(folder: Path | None = None) -> Settings:
@@ -18,10 +22,10 @@ def make_settings(folder: Path | None = None) -> Settings:
     The function it answers raises ``UnknownSceneError`` and ``WorldFileError``.
     """
 
-    @lru_cache(maxsize=None)
+    @cache
     def setting(scene_id: str) -> Setting:
         scene = load_scene(scene_id, folder)
         task = Task.from_scene(scene)
-        return Setting(scene, task, make_planner(task), load_lexicon(folder))
+        return Setting(scene, task, make_planner(task, _INTERACTIVE), load_lexicon(folder))
 
     return setting

@@ -13,11 +13,14 @@ from verbteach.dialogue.robot import Robot
 from verbteach.dialogue.setting import Settings
 from verbteach.perception.noise import NoiseModel
 from verbteach.policy.demonstration_only import DemonstrationOnlyPolicy
+from verbteach.policy.fixed_rules import ManualPolicy, RandomPolicy, SplitPolicy
 from verbteach.verbs.knowledge import VerbKnowledge
 from verbteach_sessions.errors import SessionError
 from verbteach_sessions.plain_values import ParameterError, from_plain, to_plain
 
-POLICIES: Mapping[str, type[Policy]] = {DemonstrationOnlyPolicy.name: DemonstrationOnlyPolicy}
+POLICIES: Mapping[str, type[Policy]] = {
+    kind.name: kind for kind in (DemonstrationOnlyPolicy, ManualPolicy, SplitPolicy, RandomPolicy)
+}
 
 
 class UnknownPolicyError(SessionError):

@@ -29,6 +29,7 @@ def _settings(scene_id: str) -> Setting:
 
 
 _provider = cache(make_settings)
+provider = _settings
 
 
 def robot(scene: str = "kitchen-1") -> Robot:

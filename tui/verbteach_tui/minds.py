@@ -7,9 +7,8 @@ from verbteach.dialogue.decision import Candidate, Decision
 from verbteach.dialogue.demonstration import ordered
 from verbteach.dialogue.grounding import GroundingBelief
 from verbteach.dialogue.speech import Speech
-from verbteach.dialogue.state import RobotState
+from verbteach.dialogue.state import RankedGoal, RobotState
 from verbteach.verbs.knowledge import VerbKnowledge
-from verbteach.verbs.selection import GoalCandidate
 from verbteach_tui.hypotheses import Vocabulary, known_verbs
 from verbteach_tui.views.labels import Labels
 from verbteach_tui.views.mind import ActValue, GoalBelief, Mind, PhraseBelief, Share
@@ -53,7 +52,7 @@ def _phrases(
     return tuple(found)
 
 
-def _goals(goals: tuple[GoalCandidate, ...], speech: Speech) -> tuple[GoalBelief, ...]:
+def _goals(goals: tuple[RankedGoal, ...], speech: Speech) -> tuple[GoalBelief, ...]:
     if not goals:
         return ()
     first = goals[0].goal

@@ -27,6 +27,11 @@ class Mind:
     policy: Policy
     setting: Setting
 
+    @property
+    def asks(self) -> bool:
+        """Whether the policy chooses among all question types."""
+        return self.policy.asks
+
 
 @dataclass
 class Draft:

@@ -6,31 +6,37 @@ import math
 from collections.abc import Sequence
 from itertools import product
 
-from verbteach.dialogue import closing, demonstration
+from verbteach.dialogue import carrying_out, demonstration
 from verbteach.dialogue.acts import (
+    QUESTIONS,
     DemonstrationReason,
     NpGrdWhq,
     NpGrdYnq,
-    Outcome,
-    ReportExecution,
     RequestDemonstration,
     SelectHypo,
 )
+from verbteach.dialogue.asking import execution_inquiry
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.moves import Phase
-from verbteach.dialogue.obstacles import obstacle
-from verbteach.dialogue.proposals import being_shown, grounding_questions, hypothesis
+from verbteach.dialogue.proposals import (
+    being_shown,
+    grounding_questions,
+    hypothesis,
+    nothing_fits,
+)
 from verbteach.dialogue.questions import ask
 from verbteach.dialogue.seeing import perceived
-from verbteach.dialogue.state import EpisodeState
-from verbteach.dialogue.turn import Trace
+from verbteach.dialogue.state import EpisodeState, RankedGoal
 from verbteach.dialogue.understanding import ground_phrases
 from verbteach.language.frames import VerbFrame
 from verbteach.verbs.application import GroundingBelief, Situation
-from verbteach.verbs.learning import lifted_space
 from verbteach.verbs.selection import GoalCandidate, Selection, candidates, select
-from verbteach.verbs.space import Demonstration, FrameKey
-from verbteach.world.simulator import run
+from verbteach.verbs.space import FrameKey
+from verbteach.world.fluents import State
+from verbteach.world.plan import Plan
+
+_CONSIDERED = 6
+"""Goals that are tried for a plan, the best first."""
 
 
 def begin(draft: Draft, command: str, frame: VerbFrame) -> None:
@@ -53,8 +59,44 @@ def begin(draft: Draft, command: str, frame: VerbFrame) -> None:
 
 def deliberate(draft: Draft) -> None:
     """One step of the execution phase: the policy chooses among what matters now."""
+    if draft.mind.asks and draft.episode.frame.verb in draft.state.knowledge.verbs:
+        _deliberate_asking(draft)
+    else:
+        _deliberate_plainly(draft)
+
+
+def _deliberate_asking(draft: Draft) -> None:
+    """Words that nothing fits are asked about first; then the policy has every question."""
+    unknown = [one for one in grounding_questions(draft) if nothing_fits(one)]
+    if unknown:
+        ask(draft, draft.choose(unknown), Phase.EXECUTION)
+        return
+    inquiry = execution_inquiry(draft)
+    ranked = () if inquiry.pool.empty else inquiry.pool.goals(_CONSIDERED)
+    draft.update(goals=tuple(RankedGoal(goal, value) for goal, value in ranked))
+    act = draft.choose(inquiry.candidates())
+    if isinstance(act, QUESTIONS):
+        ask(draft, act, Phase.EXECUTION)
+    else:
+        _do_the_best(draft, inquiry.believed)
+
+
+def _do_the_best(draft: Draft, believed: State) -> None:
+    """Execute the best goal that has a plan; ask to be shown where none has."""
+    wanted = [one for one in draft.episode.goals if one.goal not in draft.episode.rejected]
+    for one in wanted:
+        answer = draft.mind.setting.planner.plan(believed, one.goal)
+        if isinstance(answer, Plan) and answer.actions:
+            carrying_out.execute(draft, SelectHypo(one.goal, "expected", answer.actions))
+            return
+    reason = DemonstrationReason.NO_PLAN if wanted else DemonstrationReason.NO_HYPOTHESIS
+    demonstration.request(draft, reason)
+
+
+def _deliberate_plainly(draft: Draft) -> None:
+    """Only unclear words are asked about; the selected hypothesis is executed."""
     wanted = _candidates(draft)
-    draft.update(goals=wanted)
+    draft.update(goals=tuple(RankedGoal(one.goal, one.share) for one in wanted))
     selection = select(
         wanted, draft.episode.belief.believed(), draft.mind.setting.planner,
         draft.mind.parameters.selection,
@@ -68,62 +110,19 @@ def deliberate(draft: Draft) -> None:
     if isinstance(act, NpGrdWhq | NpGrdYnq):
         ask(draft, act, Phase.EXECUTION)
     elif isinstance(act, SelectHypo):
-        execute(draft, act)
+        carrying_out.execute(draft, act)
     elif isinstance(act, RequestDemonstration):
         demonstration.request(draft, act.reason)
 
 
-def execute(draft: Draft, act: SelectHypo) -> None:
-    """Run the plan on the true world, up to the first action that cannot be done."""
-    setting = draft.mind.setting
-    states = run(setting.task, draft.state.world, act.plan)
-    done = act.plan[: len(states) - 1]
-    failed = act.plan[len(done)] if len(done) < len(act.plan) else None
-    why = obstacle(setting, states[-1], failed) if failed else ""
-    draft.trace = Trace(done, tuple(states), failed, why)
-    draft.remember(world=states[-1])
-    draft.update(execution=act)
-    if failed:
-        draft.say(ReportExecution(done, failed, why))
-    draft.wait(act, Phase.JUDGEMENT)
-
-
-def approve(draft: Draft) -> None:
-    """The execution was right: the hypothesis and the grounding are confirmed."""
-    act = _execution(draft.episode)
-    draft.earn(draft.mind.parameters.rewards.of(act.name, positive=True))
-    space = lifted_space(
-        described(draft, "executed"), (act.goal,), draft.mind.setting.surroundings, confirmed=True
-    )
-    draft.learned.append(space)
-    draft.remember(knowledge=draft.state.knowledge.with_space(space))
-    meant = zip(draft.episode.phrases, draft.episode.best_objects, strict=True)
-    draft.experience.extend(meant)
-    closing.close(draft, Outcome.EXECUTED)
-
-
-def disapprove(draft: Draft) -> None:
-    """The execution was wrong: it costs, and its goal is not tried again for this command."""
-    act = _execution(draft.episode)
-    draft.earn(draft.mind.parameters.rewards.of(act.name, positive=False))
-    draft.update(rejected=draft.episode.rejected | {act.goal})
-
-
 def correct_reference(draft: Draft, phrase: str, thing: str) -> None:
     """A correction offered unasked ("no, the other pot"): start over with it."""
-    disapprove(draft)
+    carrying_out.disapprove(draft)
     episode = draft.episode
     draft.remember(world=episode.start)
     draft.experience.append((phrase, thing))
     draft.update(grounding=episode.grounding.confirm(phrase, thing), execution=None)
     deliberate(draft)
-
-
-def described(draft: Draft, how: str) -> Demonstration:
-    """The episode as the source of a hypothesis."""
-    episode = draft.episode
-    name = f"{draft.state.scene}#{episode.number}/{how}"
-    return Demonstration(name, episode.frame.verb, episode.phrases, episode.best_objects)
 
 
 def joint_groundings(episode: EpisodeState) -> GroundingBelief:
@@ -162,9 +161,3 @@ def _reason(
     if any(one.satisfied == 1.0 for one in wanted):
         return DemonstrationReason.NOTHING_TO_DO
     return DemonstrationReason.NO_PLAN
-
-
-def _execution(episode: EpisodeState) -> SelectHypo:
-    if episode.execution is None:
-        raise RuntimeError("nothing was executed")
-    return episode.execution

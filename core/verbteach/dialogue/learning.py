@@ -11,22 +11,24 @@ from dataclasses import replace
 
 from verbteach.dialogue import closing, demonstration
 from verbteach.dialogue.acts import (
+    QUESTIONS,
     DemonstrationReason,
+    GoalRelevantYnq,
     IncludeFluent,
     Learned,
-    NpGrdWhq,
-    NpGrdYnq,
     Outcome,
     ReviseGoal,
 )
+from verbteach.dialogue.asking import answered, learning_inquiry
+from verbteach.dialogue.carrying_out import described
 from verbteach.dialogue.decision import Candidate
 from verbteach.dialogue.draft import Draft
-from verbteach.dialogue.execution import described
 from verbteach.dialogue.moves import IllegalMoveError, Phase
 from verbteach.dialogue.proposals import grounding_questions
 from verbteach.dialogue.questions import ask
 from verbteach.dialogue.seeing import perceived
 from verbteach.dialogue.state import ReadBack
+from verbteach.perception.belief import Belief
 from verbteach.verbs.change import ObjectSet
 from verbteach.verbs.hypothesis import Learner, NoHypothesis, Shown
 from verbteach.verbs.learning import derive, ground_goals, insisted, lifted_space, struck
@@ -56,13 +58,25 @@ def sum_up(draft: Draft) -> None:
 def deliberate(draft: Draft) -> None:
     """One step of the learning phase: the policy chooses among questions and the goal."""
     read_back = _first_reading(draft)
-    include = Candidate(IncludeFluent(read_back.goal), {"size": float(len(read_back.goal))})
-    act = draft.choose([*grounding_questions(draft), include])
-    if isinstance(act, NpGrdWhq | NpGrdYnq):
+    act = draft.choose(_options(draft, read_back))
+    if isinstance(act, QUESTIONS):
         ask(draft, act, Phase.LEARNING)
     else:
         draft.update(read_back=read_back)
         draft.wait(IncludeFluent(read_back.goal), Phase.READ_BACK)
+
+
+def _options(draft: Draft, read_back: ReadBack) -> list[Candidate]:
+    """The policy's choices; what would be kept is always the goal that would be read back."""
+    include = IncludeFluent(read_back.goal)
+    if not draft.mind.asks:
+        return [
+            *grounding_questions(draft),
+            Candidate(include, {"size": float(len(read_back.goal))}),
+        ]
+    options = learning_inquiry(draft, _seen_after(draft)).candidates()
+    questions = [one for one in options if isinstance(one.act, QUESTIONS)]
+    return [*questions, replace(options[-1], act=include)]
 
 
 def strike(draft: Draft, literal: Literal) -> None:
@@ -126,15 +140,24 @@ def abandon(draft: Draft) -> None:
 
 
 def _first_reading(draft: Draft) -> ReadBack:
+    """What the robot makes of the demonstration, answers about what matters in it included."""
     whole = demonstration.change(draft)
     space = _space(draft)
-    if space is None:
-        return ReadBack(whole, whole, None)
+    goal = whole if space is None else _smallest(draft, space)
+    wanted = answered(draft.episode, GoalRelevantYnq, "yes")
+    unwanted = answered(draft.episode, GoalRelevantYnq, "no")
+    more = {act.literal for act in wanted if isinstance(act, GoalRelevantYnq)}
+    less = {act.literal for act in unwanted if isinstance(act, GoalRelevantYnq)}
+    edited = bool(more - goal or less & goal)
+    return ReadBack(whole, (goal | more) - less, space, edited=edited)
+
+
+def _smallest(draft: Draft, space: HypothesisSpace) -> Goal:
+    """The most general goal of the space: the fewest literals that ask for the same actions."""
     goals = ground_goals(space)
     fewest = min(len(goal) for goal in goals)
     smallest = [goal for goal in goals if len(goal) == fewest]
-    goal = min(smallest, key=lambda one: _telling_order(draft, one))
-    return ReadBack(whole, goal, space)
+    return min(smallest, key=lambda one: _telling_order(draft, one))
 
 
 def _telling_order(draft: Draft, goal: Goal) -> tuple[int, int, list[Literal]]:
@@ -161,8 +184,13 @@ def _shown(draft: Draft) -> Shown:
     demonstrated = draft.episode.demonstrated
     if demonstrated is None:
         raise RuntimeError("nothing was demonstrated")
-    after = perceived(draft, demonstrated.states[-1], "after")
-    return Shown(draft.episode.belief.believed(), demonstrated.actions, after.believed())
+    after = _seen_after(draft).believed()
+    return Shown(draft.episode.belief.believed(), demonstrated.actions, after)
+
+
+def _seen_after(draft: Draft) -> Belief:
+    """What the robot sees when all has been shown."""
+    return perceived(draft, draft.state.world, "after")
 
 
 def _edit(draft: Draft, goal: Goal) -> None:
@@ -176,7 +204,7 @@ def _corrected(draft: Draft, read_back: ReadBack) -> HypothesisSpace | None:
     if not read_back.edited:
         return space
     surroundings = draft.mind.setting.surroundings
-    first = _first_reading(draft).goal
+    first = _smallest(draft, space) if space else frozenset()
     for literal in sorted(first - read_back.goal):
         space = struck(space, literal, surroundings) if space else None
     for literal in sorted(read_back.goal - first):

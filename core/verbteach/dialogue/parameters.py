@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from verbteach.dialogue.inquiry import InquiryParameters
 from verbteach.dialogue.preference import Confirmed
 from verbteach.dialogue.rewards import Rewards
 from verbteach.perception.noise import NoiseModel
 from verbteach.verbs.application import ApplicationParameters
 from verbteach.verbs.hypothesis import LearningParameters
+from verbteach.verbs.pool import PoolParameters
 from verbteach.verbs.selection import SelectionParameters
 
 
@@ -23,9 +25,11 @@ def _live_selection() -> SelectionParameters:
 class RobotParameters:
     """How a robot perceives, learns, chooses and asks.
 
-    ``question_cap`` is the most questions asked for one command; past it the
-    robot acts on what it believes. ``same_question`` bounds how often one
-    question is put again after an answer that could not be read.
+    ``selection`` serves the policy that asks nothing about goals, ``pool`` and
+    ``inquiry`` those that do. ``question_cap`` is the most questions about
+    unclear words for one command; past it the robot acts on what it believes.
+    ``same_question`` bounds how often one question is put again after an
+    answer that could not be read.
     """
 
     seed: int = 0
@@ -33,5 +37,9 @@ class RobotParameters:
     rewards: Rewards = field(default_factory=Rewards)
     learning: LearningParameters = field(default_factory=LearningParameters)
     selection: SelectionParameters = field(default_factory=_live_selection)
+    pool: PoolParameters = field(default_factory=PoolParameters)
+    inquiry: InquiryParameters = field(
+        default_factory=lambda: InquiryParameters(goal_relevance=True)
+    )
     question_cap: int = 12
     same_question: int = 3

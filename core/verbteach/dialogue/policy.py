@@ -19,6 +19,11 @@ class Policy(Protocol):
         """The policy's name, as the command line and the record know it."""
         ...
 
+    @property
+    def asks(self) -> bool:
+        """Whether it is offered every question, or only those about unclear words."""
+        ...
+
     def choose(
         self, episode: EpisodeState, candidates: Sequence[Candidate], rng: np.random.Generator
     ) -> Decision:

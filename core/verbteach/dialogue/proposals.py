@@ -53,6 +53,12 @@ def _about(episode: EpisodeState, phrase: str, asked: list[RobotAct]) -> Iterato
         )
 
 
+def nothing_fits(candidate: Candidate) -> bool:
+    """Whether it asks about words that no object fits, or that had to be guessed."""
+    features = candidate.features
+    return features.get("candidates") == 0.0 or features.get("guessed", 0.0) > 0.0
+
+
 def hypothesis(selection: Selection) -> Candidate:
     """Table 2's act 5 for the goal that was selected."""
     candidate = selection.candidate

@@ -9,7 +9,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from verbteach.dialogue.acts import (
+    QUESTIONS,
     AskAgain,
+    BulkNpGrdYnq,
+    EnvPredYnq,
     No,
     NpGrdWhq,
     NpGrdYnq,
@@ -21,6 +24,7 @@ from verbteach.dialogue.acts import (
     Unsure,
     Yes,
 )
+from verbteach.dialogue.asking import settled_in_bulk
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.grounding import GroundingBelief
 from verbteach.dialogue.moves import Phase
@@ -82,6 +86,8 @@ def settle(draft: Draft, answer: Answer) -> bool:
         problem = _settle_which(draft, question.np, answer)
     elif isinstance(question, NpGrdYnq):
         problem = _settle_whether(draft, question.np, question.object, answer)
+    elif isinstance(question, QUESTIONS):
+        problem = _settle_fact(draft, question, answer)
     else:
         raise TypeError(f"{question!r} is not a question this robot asks")
     if problem and _times_put(draft, question) < draft.mind.parameters.same_question:
@@ -107,6 +113,19 @@ def _settle_whether(draft: Draft, phrase: str, thing: str, answer: Answer) -> st
         draft.update(grounding=grounding.confirm(phrase, thing))
     elif answer.label == "no":
         draft.update(grounding=grounding.deny(phrase, thing))
+    return answer.problem
+
+
+def _settle_fact(draft: Draft, question: RobotAct, answer: Answer) -> str:
+    """A yes/no question about the world or the goal; the inquiries read it from what was asked."""
+    if answer.objects:
+        return "I asked for a yes or a no."
+    if answer.label in {"yes", "no"} and isinstance(question, BulkNpGrdYnq):
+        yes = answer.label == "yes"
+        draft.update(grounding=settled_in_bulk(draft.episode.grounding, question, yes))
+    if answer.label in {"yes", "no"} and isinstance(question, EnvPredYnq):
+        belief = draft.episode.belief.answered(question.fluent, answer.label == "yes")
+        draft.update(belief=belief)
     return answer.problem
 
 

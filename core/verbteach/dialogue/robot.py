@@ -10,7 +10,15 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
-from verbteach.dialogue import acts, commands, demonstration, execution, learning, questions
+from verbteach.dialogue import (
+    acts,
+    carrying_out,
+    commands,
+    demonstration,
+    execution,
+    learning,
+    questions,
+)
 from verbteach.dialogue.acts import DemonstrationReason, Outcome, TeacherAct
 from verbteach.dialogue.closing import await_command, close
 from verbteach.dialogue.draft import Draft, Mind
@@ -171,10 +179,10 @@ def _learning(draft: Draft, act: TeacherAct) -> None:
 def _judgement(draft: Draft, act: TeacherAct) -> None:
     match act:
         case acts.Good():
-            execution.approve(draft)
+            carrying_out.approve(draft)
             commands.go_on(draft)
         case acts.Bad() | acts.Stop():
-            execution.disapprove(draft)
+            carrying_out.disapprove(draft)
             demonstration.request(draft, DemonstrationReason.WRONG_EXECUTION)
         case acts.Show():
             demonstration.request(draft, DemonstrationReason.TAKEN_OVER)

@@ -48,7 +48,7 @@ class SimulatedTeacher:
             case Phase.COMMAND:
                 return self._command(state)
             case Phase.EXECUTION | Phase.LEARNING:
-                return self._answer(turn.waiting_act)
+                return self._answer(turn.waiting_act, state)
             case Phase.JUDGEMENT:
                 return self._judgement(state)
             case Phase.DEMONSTRATION:
@@ -70,13 +70,28 @@ class SimulatedTeacher:
         self.given += 1
         return acts.Command(lesson.command)
 
-    def _answer(self, question: acts.RobotAct) -> TeacherAct:
+    def _answer(self, question: acts.RobotAct, state: RobotState) -> TeacherAct:
         if isinstance(question, acts.NpGrdWhq):
             gold = self._gold(question.np)
             return acts.Point(gold[0]) if gold else acts.Unsure()
-        if isinstance(question, acts.NpGrdYnq):
-            return acts.Yes() if question.object in self._gold(question.np) else acts.No()
-        return acts.Unsure()
+        truth = self._truth(question, state)
+        return acts.Unsure() if truth is None else acts.Yes() if truth else acts.No()
+
+    def _truth(self, question: acts.RobotAct, state: RobotState) -> bool | None:
+        """The right answer to a yes/no question; None where the lesson does not say."""
+        match question:
+            case acts.NpGrdYnq(np=phrase, object=thing):
+                return thing in self._gold(phrase)
+            case acts.BulkNpGrdYnq(pairs=pairs):
+                return all(thing in self._gold(phrase) for phrase, thing in pairs)
+            case acts.EnvPredYnq(fluent=fluent):
+                return fluent in (state.episode.start if state.episode else state.world)
+            case acts.GoalPredYnq(literal=literal) | acts.GoalRelevantYnq(literal=literal):
+                return literal in self._lesson.goal
+            case acts.PredChangeYnq(literal=literal):
+                before = state.episode.start if state.episode else state.world
+                return literal.holds(state.world) and not literal.holds(before)
+        return None
 
     def _gold(self, phrase: str) -> tuple[str, ...]:
         return self._lesson.grounding.get(phrase, ())

@@ -21,10 +21,16 @@ from verbteach.dialogue.turn import RobotTurn
 from verbteach.language.frames import VerbFrame
 from verbteach.perception.belief import Belief
 from verbteach.verbs.knowledge import VerbKnowledge
-from verbteach.verbs.selection import GoalCandidate
 from verbteach.verbs.space import HypothesisSpace
 from verbteach.world.fluents import Goal, State
 from verbteach.world.plan import Action
+
+
+class RankedGoal(NamedTuple):
+    """A goal that the command may mean; ``share`` says how much it is wanted, from 0 to 1."""
+
+    goal: Goal
+    share: float
 
 
 class Exchange(NamedTuple):
@@ -78,7 +84,7 @@ class EpisodeState:
     belief: Belief
     grounding: GroundingBelief
     guessed: frozenset[str] = frozenset()
-    goals: tuple[GoalCandidate, ...] = ()
+    goals: tuple[RankedGoal, ...] = ()
     asked: tuple[Exchange, ...] = ()
     question: RobotAct | None = None
     execution: SelectHypo | None = None

@@ -1,0 +1,132 @@
+"""A live episode as the inquiries of both phases see it: what could be asked or done now.
+
+An inquiry is made anew from the episode each time, from what is believed and
+what has been answered, so that it needs no place in the state.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import islice, product
+
+from verbteach.dialogue.acts import (
+    BulkNpGrdYnq,
+    EnvPredYnq,
+    GoalPredYnq,
+    GoalRelevantYnq,
+    PredChangeYnq,
+    RobotAct,
+)
+from verbteach.dialogue.draft import Draft
+from verbteach.dialogue.execution_inquiry import ExecutionInquiry
+from verbteach.dialogue.grounding import GroundingBelief
+from verbteach.dialogue.inquiry import Label, Reply
+from verbteach.dialogue.learning_inquiry import LearningInquiry
+from verbteach.dialogue.state import EpisodeState, Exchange
+from verbteach.perception.belief import Belief
+from verbteach.verbs.analogy import Analogies
+from verbteach.verbs.examples import Example, Memory
+from verbteach.verbs.knowledge import VerbKnowledge
+from verbteach.verbs.pool import PoolSource
+from verbteach.verbs.resemblance import Said
+from verbteach.verbs.seen_change import seen_change
+
+_LABELS = {"yes": Label.YES, "no": Label.NO}
+
+
+def execution_inquiry(draft: Draft) -> ExecutionInquiry:
+    """The execution phase as it stands: the belief, the groundings, the answers so far."""
+    episode, parameters = draft.episode, draft.mind.parameters
+    task = draft.mind.setting.task
+    grounding = known_phrases(episode.grounding)
+    said = Said(episode.frame.verb, grounding.names)
+    joint = _joint(grounding, parameters.selection.application.groundings)
+    analogies = Analogies(said, joint, draft.mind.setting.surroundings)
+    source = PoolSource(analogies, confirmed_memory(draft.state.knowledge), parameters.pool)
+    inquiry = ExecutionInquiry.begin(
+        source, task.static, _changing(draft), grounding, parameters.inquiry
+    )
+    for exchange in episode.asked:
+        inquiry = _told(inquiry, exchange)
+    return replace(inquiry, asked=_questions(episode))
+
+
+def learning_inquiry(draft: Draft, after: Belief) -> LearningInquiry:
+    """The learning phase as it stands; ``after`` is what was seen when all was shown."""
+    episode, parameters = draft.episode, draft.mind.parameters
+    shown = episode.demonstrated.actions if episode.demonstrated else ()
+    change = seen_change(draft.mind.setting.task, episode.belief, after, shown)
+    static = draft.mind.setting.task.domain.static
+    change = replace(
+        change, chances=tuple(c for c in change.chances if c[0].fluent.predicate not in static)
+    )
+    inquiry = LearningInquiry(change, known_phrases(episode.grounding), parameters.inquiry)
+    for exchange in episode.asked:
+        label = _LABELS.get(exchange.answer)
+        if isinstance(exchange.question, PredChangeYnq | GoalRelevantYnq) and label:
+            inquiry = inquiry.after(exchange.question, Reply(label))
+    return replace(inquiry, asked=_questions(episode))
+
+
+def known_phrases(grounding: GroundingBelief) -> GroundingBelief:
+    """The belief about the phrases that something fits."""
+    kept = tuple((phrase, objects) for phrase, objects in grounding.phrases if objects)
+    return GroundingBelief(kept, grounding.settled)
+
+
+def confirmed_memory(knowledge: VerbKnowledge) -> Memory:
+    """What a teacher said yes to: goals read back or carried out. Without any, all that was shown.
+
+    A person's word on what belongs to a goal counts for more than what happened to change.
+    """
+    spaces = [space for space in knowledge.spaces if space.nodes]
+    kept = [space for space in spaces if space.confirmed] or spaces
+    return Memory.keeping(
+        Example(s.demonstration, s.nodes[0].literals, s.nodes[0].bindings[0]) for s in kept
+    )
+
+
+def answered(episode: EpisodeState, kind: type[RobotAct], answer: str) -> tuple[RobotAct, ...]:
+    """This episode's questions of a kind that got this answer."""
+    return tuple(
+        one.question
+        for one in episode.asked
+        if isinstance(one.question, kind) and one.answer == answer
+    )
+
+
+def settled_in_bulk(grounding: GroundingBelief, act: BulkNpGrdYnq, yes: bool) -> GroundingBelief:
+    """A yes settles every pair; a no leaves all as likely as before."""
+    for phrase, thing in act.pairs if yes else ():
+        grounding = grounding.confirm(phrase, thing)
+    return grounding
+
+
+def _told(inquiry: ExecutionInquiry, exchange: Exchange) -> ExecutionInquiry:
+    label = _LABELS.get(exchange.answer)
+    question = exchange.question
+    if label is None:
+        return inquiry
+    if isinstance(question, EnvPredYnq):
+        return inquiry.after(question, Reply(label))
+    # A grounding answered since may have left the pool without the literal that was asked about.
+    if isinstance(question, GoalPredYnq) and question.literal in inquiry.pool.literals:
+        return inquiry.after(question, Reply(label))
+    return inquiry
+
+
+def _questions(episode: EpisodeState) -> tuple[RobotAct, ...]:
+    return tuple(one.question for one in episode.asked)
+
+
+def _joint(grounding: GroundingBelief, most: int) -> Sequence[tuple[str, ...]]:
+    """Joint groundings, those of the likeliest objects first."""
+    objects = [[thing for thing, _ in grounding[phrase]] for phrase in grounding.names]
+    return tuple(islice(product(*objects), most))
+
+
+def _changing(draft: Draft) -> Belief:
+    """The belief without what never changes, which is known."""
+    static, belief = draft.mind.setting.task.static, draft.episode.belief
+    return Belief({f: c for f, c in belief.items() if f not in static}, belief.exclusive)
