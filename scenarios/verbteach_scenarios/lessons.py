@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from verbteach.dialogue.lesson import Lesson
@@ -77,7 +78,7 @@ def check_lessons(
     """
     if scenes is None and folder is not None and any(folder.glob("*.pddl")):
         scenes = folder
-    settings = make_settings(scenes)
+    rooms = _rooms(make_settings(scenes))
     problems: list[LessonProblem] = []
     found: list[tuple[Path, int, Lesson]] = []
     for path in _files(folder):
@@ -87,7 +88,7 @@ def check_lessons(
             problems.append(LessonProblem(path, error.line, "", error.reason))
     seen: set[str] = set()
     for done, (path, line, lesson) in enumerate(found, start=1):
-        reasons = [*_known(lesson, seen), *_wrong(lesson, settings)]
+        reasons = [*_known(lesson, seen), *_wrong(lesson, rooms)]
         problems += [LessonProblem(path, line, lesson.id, reason) for reason in reasons]
         if progress is not None:
             progress(done, len(found))
@@ -123,35 +124,52 @@ def _known(lesson: Lesson, seen: set[str]) -> list[str]:
     return []
 
 
-def _wrong(lesson: Lesson, settings: Settings) -> Iterator[str]:
+@dataclass(frozen=True)
+class _Room:
+    """A scene made ready, and what can be said of its things as it is found."""
+
+    setting: Setting
+    looks: Looks
+
+
+def _rooms(settings: Settings) -> Callable[[str], _Room]:
+    @cache
+    def room(scene_id: str) -> _Room:
+        setting = settings(scene_id)
+        return _Room(setting, Looks(setting.scene, setting.scene.initial, setting.lexicon))
+
+    return room
+
+
+def _wrong(lesson: Lesson, rooms: Callable[[str], _Room]) -> Iterator[str]:
     """What keeps the lesson from being taught, in words."""
     try:
-        setting = settings(lesson.scene)
+        room = rooms(lesson.scene)
     except (UnknownSceneError, WorldFileError) as error:
         yield str(error)
         return
     unknown = [o for objects in lesson.grounding.values() for o in objects]
-    unknown = [o for o in unknown if o not in setting.scene.objects]
+    unknown = [o for o in unknown if o not in room.setting.scene.objects]
     if unknown:
         yield f"the scene {lesson.scene} has no object {unknown[0]}"
         return
-    yield from _misread(lesson, setting)
-    yield from _misshown(lesson, setting)
+    yield from _misread(lesson, room)
+    yield from _misshown(lesson, room.setting)
 
 
-def _misread(lesson: Lesson, setting: Setting) -> Iterator[str]:
+def _misread(lesson: Lesson, room: _Room) -> Iterator[str]:
     """Where the robot would read something else than the lesson means."""
-    frames = parse(lesson.command, setting.lexicon, setting.vocabulary)
+    frames = parse(lesson.command, room.setting.lexicon, room.setting.vocabulary)
     read = [(frame.verb, sorted(phrase.text for phrase in frame.phrases)) for frame in frames]
     if read != [(lesson.verb, sorted(lesson.grounding))]:
         yield f"{lesson.command!r} is read as {read}"
         return
-    looks = Looks(setting.scene, setting.scene.initial, setting.lexicon)
     for argument in frames[0].arguments:
-        found = [*refer(argument.phrase, looks, (), argument.role)]
-        found += refer(argument.phrase, looks, (), CONTENTS)
-        may_mean = {object_id for object_id, _ in found}
-        missing = [o for o in lesson.grounding[argument.phrase.text] if o not in may_mean]
+        missing = lesson.grounding[argument.phrase.text]
+        for role in (argument.role, CONTENTS):
+            if missing:
+                may_mean = dict(refer(argument.phrase, room.looks, (), role))
+                missing = tuple(o for o in missing if o not in may_mean)
         if missing:
             yield f"{argument.phrase.text!r} does not fit {missing[0]}"
 
