@@ -30,6 +30,33 @@ class Workroom:
         """Where the actions lead, up to the first that cannot be done."""
         return run(self.task, state, actions)[-1]
 
+    def reenact(self, state: State, actions: Sequence[Action]) -> tuple[State, State]:
+        """Carry demonstrated actions out in the mind: the start, mended, and the end.
+
+        Each action was done, so what it needs did hold: a needed fluent that
+        ``state`` denies, and that no action before touched, is put right in
+        the start. Actions that the task does not know are left out.
+        """
+        task, bits = self.task, self.task.encode(state)
+        start, touched = bits, 0
+        for action in actions:
+            ground = task.action(action)
+            if ground is None:
+                continue
+            missing, wrong = ground.needs_true & ~bits, ground.needs_false & bits
+            start = (start | missing & ~touched) & ~(wrong & ~touched)
+            bits = (bits | missing) & ~wrong
+            after = ground.result(bits)
+            touched |= missing | wrong | (bits ^ after)
+            bits = after
+        return self._with(state, start), self._with(state, bits)
+
+    def _with(self, state: State, bits: int) -> State:
+        """The state with the task's fluents as ``bits`` has them."""
+        was = self.task.encode(state)
+        gone, come = self.task.named(was & ~bits), self.task.named(bits & ~was)
+        return state.difference(gone).union(come)
+
     def one_step_away(self, state: State) -> frozenset[Fluent]:
         """What some action that can be done in ``state`` would make true."""
         after = (apply(self.task, state, action) for action in applicable(self.task, state))
@@ -45,3 +72,22 @@ PlannerMaker: TypeAlias = Callable[[Task], Planner]
 def furnish(tasks: Mapping[str, Task], planner: PlannerMaker) -> dict[str, Workroom]:
     """Make a workroom of each task, by key."""
     return {key: Workroom.of(tasks[key], planner(tasks[key])) for key in sorted(tasks)}
+
+
+_FURNISHED: dict[tuple[str, PlannerMaker], Workroom] = {}
+
+
+def furnished(key: str, task: Task, planner: PlannerMaker) -> Workroom:
+    """The workroom of a task, made once in a process though the task travels there often."""
+    kept = _FURNISHED.get((key, planner))
+    if kept is None or not _same(kept.task, task):
+        kept = _FURNISHED[key, planner] = Workroom.of(task, planner(task))
+    return kept
+
+
+def _same(one: Task, other: Task) -> bool:
+    """Whether two tasks are copies of each other."""
+    if one is other:
+        return True
+    alike = one.objects == other.objects and one.static == other.static
+    return alike and one.domain == other.domain

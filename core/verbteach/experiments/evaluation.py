@@ -1,0 +1,204 @@
+"""Evaluating a learner from demonstrations: learn in some environments, act in others.
+
+A demonstration's space depends on nothing but the demonstration and is
+computed once a run; a fold only merges. The work is cut into jobs that
+``mapper`` may spread over processes: results are the same for every mapper.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Protocol, TypeVar
+
+from verbteach.experiments.figures import Figure, Observation, constant, figure
+from verbteach.experiments.folds import Fold, is_development
+from verbteach.experiments.jobs import (
+    Development,
+    Lesson,
+    Setup,
+    Site,
+    Trial,
+    develop_all,
+    learn_all,
+    test_all,
+)
+from verbteach.experiments.judging import Judge
+from verbteach.experiments.she16 import ORACLE, REGRESSION
+from verbteach.experiments.sight import Sight, stream
+from verbteach.experiments.workroom import PlannerMaker, furnished
+from verbteach.verbs.criteria import PLAIN_CRITERIA, Criterion
+from verbteach.verbs.instance import Instance
+from verbteach.verbs.regression import fit
+from verbteach.world.task import Task
+
+_J = TypeVar("_J")
+_R = TypeVar("_R")
+
+
+class Mapper(Protocol):
+    """Applies a function to jobs, somehow and somewhere; the results keep the jobs' order."""
+
+    def __call__(self, function: Callable[[_J], _R], jobs: Iterable[_J], /) -> Iterable[_R]:
+        """Like ``map``."""
+        ...
+
+
+@dataclass(frozen=True)
+class Grounds:
+    """What is evaluated on: folds, and the tasks of their instances with a planner's maker."""
+
+    folds: tuple[Fold, ...]
+    tasks: Mapping[str, Task]
+    planner: PlannerMaker
+
+    @property
+    def instances(self) -> tuple[Instance, ...]:
+        """Every instance of every fold once, by id."""
+        found = {i.id: i for fold in self.folds for i in (*fold.train, *fold.test)}
+        return tuple(found[name] for name in sorted(found))
+
+    @property
+    def train(self) -> tuple[Instance, ...]:
+        """Every instance that some fold learns from, by id."""
+        found = {i.id: i for fold in self.folds for i in fold.train}
+        return tuple(found[name] for name in sorted(found))
+
+
+def run_trials(grounds: Grounds, setup: Setup, run: int = 0, mapper: Mapper = map) -> list[Trial]:
+    """One run: the trials of all folds, by instance."""
+    sight = Sight.of(setup.noise, grounds.instances, setup.seed, run)
+    site = Site(setup, sight, grounds.tasks, grounds.planner)
+    lessons = _learned(grounds, site, mapper)
+    criteria = _criteria(grounds, site, lessons, mapper)
+    jobs = [
+        (site.only(fold.test), fold.test, [lessons[i.id] for i in fold.train], criterion)
+        for fold, criterion in zip(grounds.folds, criteria, strict=True)
+    ]
+    return sorted(trial for trials in mapper(test_all, jobs) for trial in trials)
+
+
+def _learned(grounds: Grounds, site: Site, mapper: Mapper) -> dict[str, Lesson]:
+    jobs = [(site.only(own), own) for own in _by_environment(grounds.train).values()]
+    found = (lesson for lessons in mapper(learn_all, jobs) for lesson in lessons)
+    return {lesson.demonstration.id: lesson for lesson in found}
+
+
+def _criteria(
+    grounds: Grounds, site: Site, lessons: Mapping[str, Lesson], mapper: Mapper
+) -> list[Criterion | None]:
+    """Each fold's criterion; the regression is fitted to what the fold may learn from."""
+    name = site.setup.variant.criterion
+    if name == ORACLE:
+        return [None] * len(grounds.folds)
+    if name != REGRESSION:
+        return [PLAIN_CRITERIA[name]] * len(grounds.folds)
+    development = _developed(grounds, site, lessons, mapper)
+    jobs = [(_within(development, fold), site.setup) for fold in grounds.folds]
+    return list(mapper(_fitted, jobs))
+
+
+def _developed(
+    grounds: Grounds, site: Site, lessons: Mapping[str, Lesson], mapper: Mapper
+) -> Development:
+    """Votes on the development commands, by lessons from other environments than theirs."""
+    share = site.setup.development
+    jobs = []
+    for environment, own in _by_environment(grounds.train).items():
+        chosen = [i for i in own if is_development(i, share)]
+        others = [lessons[i.id] for i in grounds.train if i.environment != environment]
+        if chosen:
+            jobs.append((site.only(chosen), chosen, others))
+    return {name: votes for found in mapper(develop_all, jobs) for name, votes in found.items()}
+
+
+def _within(development: Development, fold: Fold) -> Development:
+    """The development votes whose command and demonstration the fold learns from."""
+    known = {instance.id for instance in fold.train}
+    return {
+        name: [judged for judged in development[name] if judged.vote.demonstration.id in known]
+        for name in sorted(development)
+        if name in known
+    }
+
+
+def _fitted(job: tuple[Development, Setup]) -> Criterion:
+    development, setup = job
+    return fit(list(development.values()), setup.variant.fitting)
+
+
+def _by_environment(instances: Sequence[Instance]) -> dict[str, list[Instance]]:
+    found: dict[str, list[Instance]] = defaultdict(list)
+    for instance in instances:
+        found[instance.environment].append(instance)
+    return {name: found[name] for name in sorted(found)}
+
+
+@dataclass(frozen=True)
+class Scores:
+    """IED and SJI over all test commands."""
+
+    ied: Figure
+    sji: Figure
+
+    def to_json(self) -> dict[str, Any]:
+        """Plain JSON."""
+        return {"ied": self.ied.to_json(), "sji": self.sji.to_json()}
+
+
+def scores(runs: Sequence[Sequence[Trial]], seed: int = 0) -> Scores:
+    """Summarise the runs' trials."""
+    rows = [[(trial.group, trial.score) for trial in trials] for trials in runs]
+    return Scores(
+        figure([[Observation(g, s.ied) for g, s in run] for run in rows], stream(seed, "ied")),
+        figure([[Observation(g, s.sji) for g, s in run] for run in rows], stream(seed, "sji")),
+    )
+
+
+def ceiling_trials(grounds: Grounds) -> list[Trial]:
+    """What planning to the whole gold change from the true state comes to, by instance."""
+    tests = [instance for fold in grounds.folds for instance in fold.test]
+    return sorted(_ceiling(grounds, instance) for instance in tests)
+
+
+def _ceiling(grounds: Grounds, instance: Instance) -> Trial:
+    key = instance.task_key
+    judge = Judge(instance, furnished(key, grounds.tasks[key], grounds.planner))
+    where = (instance.id, instance.group, instance.environment, instance.verb)
+    return Trial(*where, judge.ceiling, 1, ())
+
+
+def evaluate(
+    grounds: Grounds,
+    setup: Setup,
+    runs: int = 1,
+    mapper: Mapper = map,
+    ceilings: bool = True,
+) -> dict[str, Any]:
+    """Evaluate a learner; the JSON document of ``verbteach evaluate``.
+
+    With ``ceilings`` it also has what the learner would come to if it always
+    chose the best of its candidate goals (``oracle_selection``), and what
+    planning to the demonstrated change comes to (``oracle_goal``).
+    """
+    trials = [run_trials(grounds, setup, run, mapper) for run in range(runs)]
+    document = {
+        "policy": setup.variant.name,
+        "criterion": setup.variant.criterion,
+        "objects": setup.variant.learning.object_set.value,
+        "grounding": setup.grounding,
+        "folds": [fold.name for fold in grounds.folds],
+        **scores(trials, setup.seed).to_json(),
+        "questions_learning": constant(0.0, runs).to_json(),
+        "questions_execution": constant(0.0, runs).to_json(),
+        "instances": len(trials[0]),
+    }
+    if ceilings:
+        best = replace(setup, variant=replace(setup.variant, criterion=ORACLE))
+        oracle = [run_trials(grounds, best, run, mapper) for run in range(runs)]
+        document["ceilings"] = {
+            "oracle_selection": scores(oracle, setup.seed).to_json(),
+            "oracle_goal": scores([ceiling_trials(grounds)] * runs, setup.seed).to_json(),
+        }
+    return document

@@ -1,0 +1,219 @@
+"""The pieces of work of an evaluation: learning demonstrations, judging goals, testing commands.
+
+Each is a function of its job alone, so that jobs may run in any order and in
+any process.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple, TypeAlias
+
+from verbteach.experiments.groundings import GROUNDERS, Grounder, shown
+from verbteach.experiments.judging import Judge, Score
+from verbteach.experiments.she16 import ORACLE, Variant
+from verbteach.experiments.sight import Sight
+from verbteach.experiments.workroom import PlannerMaker, Workroom, furnished
+from verbteach.perception.noise import NoiseModel
+from verbteach.verbs.application import Evidence, GroundingBelief, Situation, evidence
+from verbteach.verbs.criteria import MOST_FREQUENT, Criterion, Oracle
+from verbteach.verbs.features import votes
+from verbteach.verbs.hypothesis import Learner, NoHypothesis, Shown
+from verbteach.verbs.instance import Instance
+from verbteach.verbs.knowledge import VerbKnowledge
+from verbteach.verbs.learning import derive
+from verbteach.verbs.regression import Judged
+from verbteach.verbs.selection import ranked, select
+from verbteach.verbs.space import Demonstration, FrameKey, HypothesisSpace
+from verbteach.world.fluents import Goal, State
+from verbteach.world.plan import Plan
+from verbteach.world.task import Task
+
+
+@dataclass(frozen=True)
+class Setup:
+    """What is evaluated, under which conditions.
+
+    ``grounding`` names a mode; ``grounder`` does it where the mode is not one
+    of ``GROUNDERS``. The regression is fitted on one in ``development``
+    documents of the training part; at most ``judged_goals`` of each of their
+    commands are planned for.
+    """
+
+    variant: Variant
+    noise: NoiseModel = field(default_factory=NoiseModel)
+    grounding: str = "corpus"
+    grounder: Grounder | None = None
+    seed: int = 0
+    development: int = 5
+    judged_goals: int = 100
+
+    def __post_init__(self) -> None:
+        if self.grounder is None and self.grounding not in GROUNDERS:
+            raise ValueError(f"the grounding {self.grounding!r} needs a grounder")
+
+    def ground(self, instance: Instance, experience: Sequence[Demonstration]) -> GroundingBelief:
+        """The grounding belief of a new command."""
+        return (self.grounder or GROUNDERS[self.grounding])(instance, experience)
+
+
+@dataclass(frozen=True)
+class Site:
+    """Where a job works: the setup, the eyes, and the tasks of its instances."""
+
+    setup: Setup
+    sight: Sight
+    tasks: Mapping[str, Task]
+    planner: PlannerMaker
+
+    def room(self, instance: Instance) -> Workroom:
+        """The instance's workroom, kept for later jobs of this process."""
+        key = instance.task_key
+        return furnished(key, self.tasks[key], self.planner)
+
+    def only(self, instances: Sequence[Instance]) -> Site:
+        """The same, with no more tasks and documents than these instances need."""
+        tasks = {i.task_key: self.tasks[i.task_key] for i in instances}
+        groups = {i.group for i in instances}
+        elsewhere = {g: f for g, f in self.sight.elsewhere.items() if g in groups}
+        return replace(self, tasks=tasks, sight=replace(self.sight, elsewhere=elsewhere))
+
+
+class Lesson(NamedTuple):
+    """What a demonstration taught."""
+
+    demonstration: Demonstration
+    outcome: HypothesisSpace | NoHypothesis
+
+
+class Trial(NamedTuple):
+    """One test command: how the plan did, the goals there were to choose from, and the plan."""
+
+    instance: str
+    group: str
+    environment: str
+    verb: str
+    score: Score
+    candidates: int
+    plan: tuple[str, ...]
+
+
+LearnJob: TypeAlias = tuple[Site, Sequence[Instance]]
+DevelopJob: TypeAlias = tuple[Site, Sequence[Instance], Sequence[Lesson]]
+TestJob: TypeAlias = tuple[Site, Sequence[Instance], Sequence[Lesson], Criterion | None]
+Development: TypeAlias = dict[str, list[Judged]]
+"""Judged votes by development instance."""
+
+
+def learn_all(job: LearnJob) -> list[Lesson]:
+    """The lessons of some instances."""
+    site, instances = job
+    return [_lesson(site, instance) for instance in instances]
+
+
+def develop_all(job: DevelopJob) -> Development:
+    """Judge what the lessons' votes for some instances' commands come to."""
+    site, instances, lessons = job
+    knowledge, experience = _remembered(lessons)
+    return {i.id: _judged(site, i, knowledge, experience) for i in instances}
+
+
+def test_all(job: TestJob) -> list[Trial]:
+    """Carry out some instances' commands; without a criterion the answer itself chooses."""
+    site, instances, lessons, criterion = job
+    knowledge, experience = _remembered(lessons)
+    return [_trial(site, i, knowledge, experience, criterion) for i in instances]
+
+
+def _remembered(lessons: Sequence[Lesson]) -> tuple[VerbKnowledge, tuple[Demonstration, ...]]:
+    spaces = [one.outcome for one in lessons if isinstance(one.outcome, HypothesisSpace)]
+    return VerbKnowledge.merged(spaces), tuple(one.demonstration for one in lessons)
+
+
+def _lesson(site: Site, instance: Instance) -> Lesson:
+    room, variant = site.room(instance), site.setup.variant
+    seen = site.sight.demonstrated(instance, room)
+    start, end = seen.start.believed(), seen.end.believed()
+    if variant.reenacts:
+        start, end = room.reenact(start, instance.actions)
+    demonstration = _demonstration(site.setup, instance, start, end)
+    learner = Learner(room.planner, room.setting, variant.learning)
+    return Lesson(
+        demonstration, derive(demonstration, Shown(start, instance.actions, end), learner)
+    )
+
+
+def _demonstration(setup: Setup, instance: Instance, start: State, end: State) -> Demonstration:
+    grounding = instance.grounding
+    if setup.grounding != "oracle":
+        changed = frozenset(word for fluent in start ^ end for word in fluent.args)
+        handled = frozenset(word for action in instance.actions for word in action.args)
+        grounding = shown(setup.ground(instance, ()), changed, handled)
+    return Demonstration(instance.id, instance.verb, instance.phrases, grounding)
+
+
+def _gathered(
+    site: Site,
+    instance: Instance,
+    knowledge: VerbKnowledge,
+    experience: Sequence[Demonstration],
+) -> tuple[State, tuple[Evidence, ...]]:
+    """What the robot believes of the scene, and the goals that the command may mean there."""
+    room = site.room(instance)
+    state = site.sight.met(instance, room).believed()
+    belief = site.setup.ground(instance, experience)
+    situation = Situation(FrameKey(*instance.frame), instance.phrases, belief, state, room.setting)
+    return state, evidence(knowledge, situation, site.setup.variant.selection.application)
+
+
+def _judged(
+    site: Site,
+    instance: Instance,
+    knowledge: VerbKnowledge,
+    experience: Sequence[Demonstration],
+) -> list[Judged]:
+    room = site.room(instance)
+    state, gathered = _gathered(site, instance, knowledge, experience)
+    judge = Judge(instance, room)
+    found = []
+    for candidate in ranked(gathered, MOST_FREQUENT)[: site.setup.judged_goals]:
+        reward = _worth(room, judge, state, candidate.goal)
+        if reward is not None:
+            found += [Judged(vote, reward) for vote in votes(candidate.evidence)]
+    return found
+
+
+def _worth(room: Workroom, judge: Judge, state: State, goal: Goal) -> float | None:
+    """The SJI of planning to the goal from what is believed; None without a plan."""
+    answer = room.planner.plan(state, goal)
+    if not isinstance(answer, Plan) or not answer.actions:
+        return None
+    return judge.score(answer.actions).sji
+
+
+def _trial(
+    site: Site,
+    instance: Instance,
+    knowledge: VerbKnowledge,
+    experience: Sequence[Demonstration],
+    criterion: Criterion | None,
+) -> Trial:
+    room, parameters = site.room(instance), site.setup.variant.selection
+    judge = Judge(instance, room)
+    state, gathered = _gathered(site, instance, knowledge, experience)
+    if site.setup.variant.criterion == ORACLE:
+        criterion = Oracle(lambda goal: _worth(room, judge, state, goal) or 0.0)
+        parameters = replace(parameters, planned=1)
+    assert criterion is not None, "only the oracle needs none"
+    chosen = select(ranked(gathered, criterion), state, room.planner, parameters)
+    plan = () if chosen is None else chosen.plan.actions
+    return Trial(
+        instance.id,
+        instance.group,
+        instance.environment,
+        instance.verb,
+        judge.score(plan),
+        len(gathered),
+        tuple(map(str, plan)),
+    )

@@ -1,0 +1,65 @@
+"""Judging plans for one instance: run on the true state, compared with what was demonstrated."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import NamedTuple
+
+from verbteach.experiments.gold import gold_sequence, whole_change
+from verbteach.experiments.metrics import ied, sji
+from verbteach.experiments.workroom import Workroom
+from verbteach.verbs.change import StateChange
+from verbteach.verbs.instance import Instance
+from verbteach.world.fluents import Goal
+from verbteach.world.plan import Action, Plan
+
+
+class Score(NamedTuple):
+    """IED of the plan and SJI of what it really changed; 0 and 0 where nothing was done."""
+
+    ied: float = 0.0
+    sji: float = 0.0
+
+
+@dataclass(frozen=True)
+class Judge:
+    """Knows the gold of an instance."""
+
+    instance: Instance
+    room: Workroom
+    _judged: dict[tuple[Action, ...], Score] = field(default_factory=dict, repr=False)
+
+    @cached_property
+    def gold(self) -> tuple[Action, ...]:
+        """The cleaned gold sequence."""
+        return gold_sequence(self.instance, self.room.task, self.room.planner)
+
+    @cached_property
+    def change(self) -> StateChange:
+        """The gold change."""
+        return whole_change(self.instance, self.room.task)
+
+    def score(self, plan: Sequence[Action]) -> Score:
+        """Run the plan from the true start, up to the first action that cannot be done."""
+        actions = tuple(plan)
+        if not actions:
+            return Score()
+        if actions not in self._judged:
+            end = self.room.outcome(self.instance.start, actions)
+            changed = StateChange.between(self.instance.start, end, self.room.setting.static)
+            self._judged[actions] = Score(ied(self.gold, actions), sji(self.change, changed))
+        return self._judged[actions]
+
+    def of_goal(self, goal: Goal) -> Score | None:
+        """What planning to the goal from the true start comes to; None without a plan."""
+        answer = self.room.planner.plan(self.instance.start, goal)
+        if not isinstance(answer, Plan) or not answer.actions:
+            return None
+        return self.score(answer.actions)
+
+    @property
+    def ceiling(self) -> Score:
+        """What planning to the whole gold change comes to."""
+        return self.of_goal(self.change.literals) or Score()
