@@ -8,9 +8,9 @@ lexicon's wording of the fluents, so that any domain's predicates will do.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 
 from verbteach.language.fallback import fluent_wording
 from verbteach.language.lexicon import FluentWording, Lexicon
@@ -42,7 +42,11 @@ class Looks:
 
     def fit(self, object_id: str, noun: str) -> float:
         """How well ``noun``, which may be several words, names the object; 0 not at all."""
-        return max(self._fits(object_id, noun), default=0.0)
+        return self._best_fit(object_id, noun)
+
+    @cached_property
+    def _best_fit(self) -> Callable[[str, str], float]:
+        return cache(lambda object_id, noun: max(self._fits(object_id, noun), default=0.0))
 
     def _fits(self, object_id: str, noun: str) -> Iterator[float]:
         names = self._names[object_id]
@@ -63,10 +67,11 @@ class Looks:
     def _names(self) -> Mapping[str, tuple[str, ...]]:
         return {thing.id: tuple(map(_plain, thing.names)) for thing in self.objects.values()}
 
-    def _meant_by(self, noun: str) -> frozenset[str]:
-        """Words that ``noun`` may stand for; the group's plural names its kinds ("dishes")."""
-        synonyms = self.lexicon.synonyms
-        return synonyms.get(noun, frozenset()) | synonyms.get(plural(noun), frozenset())
+    @cached_property
+    def _meant_by(self) -> Callable[[str], frozenset[str]]:
+        """Words that a noun may stand for; the group's plural names its kinds ("dishes")."""
+        synonyms, none = self.lexicon.synonyms, frozenset[str]()
+        return cache(lambda noun: synonyms.get(noun, none) | synonyms.get(plural(noun), none))
 
     def is_thing(self, object_id: str) -> bool:
         """Whether the object is a thing in the room, not one of the domain's values."""

@@ -202,8 +202,8 @@ def _like_the_last(thing: str, marks: Sequence[str], looks: Looks, spoken: Seque
 
 
 def _held(thing: str, holder: str, looks: Looks) -> bool:
-    agents = [o.id for o in looks.objects.values() if looks.scene.domain.is_a(o.type, holder)]
-    return any(looks.related(agent, "holding", thing) for agent in agents)
+    holders = [o.id for o in looks.objects.values() if looks.scene.domain.is_a(o.type, holder)]
+    return any(looks.related(holder_id, "holding", thing) for holder_id in holders)
 
 
 def _stands(thing: str, name: str, inner: NounPhrase, looks: Looks, spoken: Sequence[str]) -> bool:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
+from typing import TypeAlias
 
 from verbteach.language import household, words
 from verbteach.language.inflection import base_of_gerund
@@ -32,14 +34,11 @@ class WordClasses:
     """Answers what a word may be. A word may be several things, or unknown to all lists."""
 
     def __init__(self, lexicon: Lexicon, vocabulary: Iterable[str] = ()) -> None:
-        taught = {verb.partition(" ")[0] for verb in (*lexicon.verbs, *lexicon.particles)}
-        self.verbs: frozenset[str] = household.VERBS | taught
-        self._taught = frozenset(taught)
-        named = (*vocabulary, *lexicon.synonyms)
-        self._scene_nouns = frozenset(w for name in named for w in name.lower().split())
-        self._adjectives = frozenset(value.lower() for value in lexicon.attributes)
+        self._taught = _taught_verbs(tuple(lexicon.verbs), tuple(lexicon.particles))
+        self.verbs: frozenset[str] = _known_verbs(self._taught)
+        self._scene_nouns, self._joined = _scene_words((*vocabulary, *lexicon.synonyms))
+        self._adjectives = lexicon.attributes
         self._lexicon = lexicon
-        self._joined = _joined_names(named)
 
     def joined(self, tokens: Sequence[str]) -> list[str]:
         """The tokens with each name that holds a particle ("channel up button") as one token."""
@@ -112,8 +111,26 @@ class WordClasses:
         return word if word in self._scene_nouns and single not in self._scene_nouns else single
 
 
-def _joined_names(names: Iterable[str]) -> dict[str, tuple[tuple[str, ...], ...]]:
-    """Names that hold a particle, by their first word, the longest first."""
+_Names: TypeAlias = Mapping[str, tuple[tuple[str, ...], ...]]
+
+
+# A person's commands come one after the other in one scene: its words are sorted once.
+@lru_cache(maxsize=16)
+def _taught_verbs(verbs: tuple[str, ...], with_particles: tuple[str, ...]) -> frozenset[str]:
+    return frozenset(verb.partition(" ")[0] for verb in (*verbs, *with_particles))
+
+
+@lru_cache(maxsize=16)
+def _known_verbs(taught: frozenset[str]) -> frozenset[str]:
+    return household.VERBS | taught
+
+
+@lru_cache(maxsize=16)
+def _scene_words(names: tuple[str, ...]) -> tuple[frozenset[str], _Names]:
+    """The single words of all names, and the names that hold a particle by their first word."""
     split = sorted({tuple(name.lower().split()) for name in names}, key=lambda n: (-len(n), n))
-    telling = [n for n in split if n[0] not in _CLOSED and not words.PARTICLES.isdisjoint(n[1:-1])]
-    return {n[0]: tuple(m for m in telling if m[0] == n[0]) for n in telling}
+    telling = [
+        n for n in split if n and n[0] not in _CLOSED and not words.PARTICLES.isdisjoint(n[1:-1])
+    ]
+    joined = {n[0]: tuple(m for m in telling if m[0] == n[0]) for n in telling}
+    return frozenset(word for name in split for word in name), joined
