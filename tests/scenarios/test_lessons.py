@@ -19,16 +19,27 @@ from verbteach_scenarios.lesson_file import LessonFileError, lesson_to_line, par
 from verbteach_scenarios.lessons import check_lessons, load_lessons, report
 
 BUNDLED = load_lessons()
+CELLAR = """(define (problem cellar) (:domain household)
+(:objects Hatch_1 - opening Mug_1 - cup Shelf_1 - surface)
+(:init (openable Hatch_1) (on Mug_1 Shelf_1)) (:goal (and)))
+"""
 OPEN: dict[str, Any] = {
     "id": "open-1",
-    "scene": "kitchen-2",
-    "command": "open the fridge",
+    "scene": "cellar",
+    "command": "open the hatch",
     "verb": "open",
-    "grounding": {"the fridge": ["Fridge_1"]},
-    "demonstration": ["moveto Fridge_1", "open Fridge_1"],
-    "goal": ["(open Fridge_1)"],
+    "grounding": {"the hatch": ["Hatch_1"]},
+    "demonstration": ["moveto Hatch_1", "open Hatch_1"],
+    "goal": ["(open Hatch_1)"],
     "teacher": "ada",
 }
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A folder of lessons with the scene that they are set in."""
+    (tmp_path / "cellar.pddl").write_text(CELLAR)
+    return tmp_path
 
 
 def test_there_are_as_many_as_the_paper_had_and_as_varied() -> None:
@@ -116,54 +127,47 @@ def changed(**values: Any) -> dict[str, Any]:
 @pytest.mark.parametrize(
     ("lesson", "reason"),
     [
-        (changed(scene="cellar"), "no scene 'cellar'"),
-        (changed(grounding={"the fridge": ["Fridge_9"]}), "no object Fridge_9"),
-        (changed(grounding={"the fridge": ["Mug_1"]}), "does not fit Mug_1"),
-        (changed(grounding={"the door": ["Fridge_1"]}), "is read as"),
+        (changed(scene="attic"), "no scene 'attic'"),
+        (changed(grounding={"the hatch": ["Hatch_9"]}), "no object Hatch_9"),
+        (changed(grounding={"the hatch": ["Mug_1"]}), "does not fit Mug_1"),
+        (changed(grounding={"the door": ["Hatch_1"]}), "is read as"),
         (changed(verb="shut"), "is read as"),
         (changed(command="gargle blorp"), "is read as"),
-        (changed(demonstration=["open Fridge_1"]), "step 1, open Fridge_1, cannot be done"),
-        (changed(demonstration=["moveto Fridge_1", "sing"]), "step 2, sing, cannot be done"),
-        (changed(demonstration=["moveto Fridge_1"]), "the goal is not reached: (open Fridge_1)"),
-        (changed(goal=["(open Window_1)"]), "the goal holds before"),
-        (changed(goal=["(ajar Fridge_1)"]), "speaks of (ajar Fridge_1)"),
+        (changed(demonstration=["open Hatch_1"]), "step 1, open Hatch_1, cannot be done"),
+        (changed(demonstration=["moveto Hatch_1", "sing"]), "step 2, sing, cannot be done"),
+        (changed(demonstration=["moveto Hatch_1"]), "the goal is not reached: (open Hatch_1)"),
+        (changed(goal=["(on Mug_1 Shelf_1)"]), "the goal holds before"),
+        (changed(goal=["(ajar Hatch_1)"]), "speaks of (ajar Hatch_1)"),
     ],
 )
-def test_a_check_says_what_is_wrong(tmp_path: Path, lesson: dict[str, Any], reason: str) -> None:
-    (tmp_path / "mine.jsonl").write_text(json.dumps(lesson) + "\n")
-    problems = check_lessons(tmp_path).problems
+def test_a_check_says_what_is_wrong(folder: Path, lesson: dict[str, Any], reason: str) -> None:
+    (folder / "mine.jsonl").write_text(json.dumps(lesson) + "\n")
+    problems = check_lessons(folder).problems
     assert any(reason in problem.reason for problem in problems), problems
     assert {(p.path.name, p.line, p.lesson) for p in problems} == {("mine.jsonl", 1, "open-1")}
 
 
-def test_a_check_finds_an_id_used_twice(tmp_path: Path) -> None:
+def test_a_check_finds_an_id_used_twice(folder: Path) -> None:
     line = json.dumps(OPEN)
-    (tmp_path / "mine.jsonl").write_text(f"{line}\n\n{line}\n")
-    problems = check_lessons(tmp_path).problems
+    (folder / "mine.jsonl").write_text(f"{line}\n\n{line}\n")
+    problems = check_lessons(folder).problems
     assert [(p.line, p.reason) for p in problems] == [(3, "another lesson has the same id")]
 
 
-def test_a_lesson_that_fits_has_no_problems(tmp_path: Path) -> None:
-    (tmp_path / "mine.jsonl").write_text(json.dumps(OPEN))
-    found = check_lessons(tmp_path)
+def test_a_lesson_that_fits_has_no_problems(folder: Path) -> None:
+    (folder / "mine.jsonl").write_text(json.dumps(OPEN))
+    found = check_lessons(folder)
     assert (found.lessons, found.verbs, found.noun_phrases, found.problems) == (1, 1, 1, ())
     assert (found.length.mean, found.length.sd) == (2.0, 0.0)
 
 
-def test_lessons_can_be_set_in_scenes_that_lie_beside_them(tmp_path: Path) -> None:
-    (tmp_path / "cellar.pddl").write_text(
-        "(define (problem cellar) (:domain household) (:objects Hatch_1 - opening)"
-        " (:init (openable Hatch_1)) (:goal (and)))"
-    )
-    lesson = changed(
-        scene="cellar",
-        command="open the hatch",
-        grounding={"the hatch": ["Hatch_1"]},
-        demonstration=["moveto Hatch_1", "open Hatch_1"],
-        goal=["(open Hatch_1)"],
-    )
-    (tmp_path / "mine.jsonl").write_text(json.dumps(lesson))
-    assert check_lessons(tmp_path).problems == ()
+def test_lessons_can_be_set_in_bundled_scenes_or_in_another_folders(tmp_path: Path) -> None:
+    (tmp_path / "mine.jsonl").write_text(json.dumps(OPEN))
+    (problem,) = check_lessons(tmp_path).problems
+    assert "kitchen-1" in problem.reason
+    (tmp_path / "rooms").mkdir()
+    (tmp_path / "rooms" / "cellar.pddl").write_text(CELLAR)
+    assert check_lessons(tmp_path, tmp_path / "rooms").problems == ()
 
 
 def without(key: str) -> str:
@@ -186,12 +190,12 @@ def without(key: str) -> str:
         (json.dumps(changed(grounding=[])), "is no lesson"),
     ],
 )
-def test_a_torn_line_is_named(tmp_path: Path, line: str, reason: str) -> None:
-    (tmp_path / "mine.jsonl").write_text(json.dumps(OPEN) + "\n" + line + "\n")
+def test_a_torn_line_is_named(folder: Path, line: str, reason: str) -> None:
+    (folder / "mine.jsonl").write_text(json.dumps(OPEN) + "\n" + line + "\n")
     with pytest.raises(LessonFileError, match=r"mine\.jsonl:2") as caught:
-        load_lessons(tmp_path)
+        load_lessons(folder)
     assert reason in caught.value.reason
-    assert [p.line for p in check_lessons(tmp_path).problems] == [2]
+    assert [p.line for p in check_lessons(folder).problems] == [2]
 
 
 def test_a_folder_without_lessons_is_said_to_be_so(tmp_path: Path) -> None:
@@ -210,9 +214,11 @@ lessons = st.builds(
     scene=words,
     command=st.text(min_size=1, max_size=30),
     verb=words,
-    grounding=st.dictionaries(words, st.lists(words, min_size=1, max_size=2).map(tuple)),
-    demonstration=st.lists(st.builds(Action, words, arguments), min_size=1).map(tuple),
-    goal=st.frozensets(st.builds(Literal, fluents, st.booleans()), min_size=1),
+    grounding=st.dictionaries(
+        words, st.lists(words, min_size=1, max_size=2).map(tuple), max_size=3
+    ),
+    demonstration=st.lists(st.builds(Action, words, arguments), min_size=1, max_size=3).map(tuple),
+    goal=st.frozensets(st.builds(Literal, fluents, st.booleans()), min_size=1, max_size=3),
     teacher=words,
 )
 
@@ -224,5 +230,5 @@ def test_a_lesson_survives_its_line(lesson: Lesson) -> None:
 
 
 def test_strange_line_ends_in_a_command_do_not_tear_it() -> None:
-    line = json.dumps(changed(command="open\u2028the\x85fridge"), ensure_ascii=False)
+    line = json.dumps(changed(command="open\u2028the\x85hatch"), ensure_ascii=False)
     assert [number for number, _ in parse_lessons(line, Path("x.jsonl"))] == [1]
