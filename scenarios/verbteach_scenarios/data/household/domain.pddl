@@ -17,8 +17,8 @@
   thing substance channel level - object
   liquid solid - substance
 
-  agent fixture item - thing
-  robot person - agent
+  being fixture item - thing
+  robot person - being
 
   support burner receptacle storage opening device control plant hearth - fixture
   surface seat - support
@@ -46,7 +46,7 @@
 (:predicates
   ; where things are
   (near ?r - robot ?x - thing)
-  (grasping ?a - agent ?x - item)
+  (grasping ?b - being ?x - item)
   (carrying ?r - robot)                       ; at least one hand is taken
   (hands-full ?r - robot)                     ; both are
   (on ?x - item ?y - thing)
