@@ -103,6 +103,8 @@ class Belief:
 
     def _beaten(self, fluents: State) -> State:
         """Those of ``fluents`` that a likelier rival excludes; among equals the first stays."""
+        if not self.exclusive:
+            return frozenset()
         standing: dict[tuple[int, str], Fluent] = {}
         beaten = set()
         for fluent in sorted(fluents, key=lambda f: (-self[f], f)):

@@ -95,8 +95,11 @@ def perceive(
     """Look at ``state`` once.
 
     ``candidates`` are the fluents that could be true: phantoms come from
-    these. One uniform draw is taken for each fluent, in the fluents' order.
+    these. One uniform draw is taken for each fluent, in the fluents' order,
+    and none by eyes that see everything.
     """
+    if noise.exact:
+        return Belief.certain(state, exclusive)
     looked_at = sorted(state | frozenset(candidates) if noise.phantoms else state)
     draws = rng.random(len(looked_at)).tolist()
     seen = {}

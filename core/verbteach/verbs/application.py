@@ -110,7 +110,7 @@ class Evidence:
 
     @cached_property
     def key(self) -> tuple[Literal, ...]:
-        """The goal, sorted: what ties are broken by."""
+        """The goal, sorted."""
         return tuple(sorted(self.goal))
 
     @cached_property
@@ -143,7 +143,11 @@ def evidence(
     situation: Situation,
     parameters: ApplicationParameters | None = None,
 ) -> tuple[Evidence, ...]:
-    """All candidate goals with their support, sorted by goal; equal goals are one."""
+    """All candidate goals with their support; equal goals are one.
+
+    They come in the order of the hypotheses that gave them first, the
+    command's own frame before others: a fixed order for the same knowledge.
+    """
     parameters = parameters or ApplicationParameters()
     belief = likeliest(situation.groundings, parameters.groundings)
     things = _Things(situation.setting, parameters.replace_missing)
@@ -154,8 +158,7 @@ def evidence(
             bindings = node.least if parameters.least_only else node.bindings
             for goal, support in _supports(frame, node, bindings, arguments, things):
                 found[goal].append(support)
-    gathered = [Evidence(goal, tuple(s), situation) for goal, s in found.items()]
-    return tuple(sorted(gathered, key=lambda e: e.key))
+    return tuple(Evidence(goal, tuple(s), situation) for goal, s in found.items())
 
 
 def _frames(knowledge: VerbKnowledge, key: FrameKey, whole_verb: bool) -> list[FrameSpace]:

@@ -88,7 +88,7 @@ def candidates(
     situation: Situation,
     parameters: SelectionParameters | None = None,
 ) -> tuple[GoalCandidate, ...]:
-    """Goals that the command may mean, the most wanted first, ties in the goals' order.
+    """Goals that the command may mean, the most wanted first, ties as in ``evidence``.
 
     Empty where nothing is known of the frame.
     """
@@ -97,9 +97,9 @@ def candidates(
 
 
 def ranked(gathered: Sequence[Evidence], criterion: Criterion) -> tuple[GoalCandidate, ...]:
-    """Score gathered evidence and sort it."""
+    """Score gathered evidence and sort it; among equals the order stays."""
     scored = [(criterion.score(one), one) for one in gathered]
-    wanted = sorted(((s, e) for s, e in scored if s > 0), key=lambda row: (-row[0], row[1].key))
+    wanted = sorted((row for row in scored if row[0] > 0), key=lambda row: -row[0])
     total = sum(score for score, _ in wanted)
     return tuple(_candidate(one, score, score / total) for score, one in wanted)
 
