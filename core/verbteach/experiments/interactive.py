@@ -86,10 +86,12 @@ def hold(
         state = state.after(act, reply)
 
 
-def judged(dialogue: Dialogue[Phase], right: bool, rewards: Rewards) -> Dialogue[Phase]:
-    """The dialogue with the reward of its last act."""
+def judged(dialogue: Dialogue[Phase], right: float, rewards: Rewards) -> Dialogue[Phase]:
+    """The dialogue with the reward of its last act, between wrong (0) and right (1)."""
     last = dialogue.turns[-1]
-    earned = rewards.of(last.decision.act.name, positive=right)
+    name = last.decision.act.name
+    yes, no = rewards.of(name, positive=True), rewards.of(name, positive=False)
+    earned = no + right * (yes - no)
     return replace(dialogue, turns=(*dialogue.turns[:-1], Turn(last.decision, earned)))
 
 

@@ -157,7 +157,6 @@ class _Run:
         return self.config.policy == "rl"
 
     def _groups(self) -> list[list[str]]:
-        wanted = self.config.held_out or tuple(self.environments)
         order = stream(self.config.seed, self.config.run, "groups").permutation(
             len(self.environments)
         )
@@ -165,8 +164,11 @@ class _Run:
             [self.environments[i] for i in sorted(part.tolist())]
             for part in np.array_split(order, self.config.groups if self._learns else 1)
         ]
-        kept = [[name for name in group if name in wanted] for group in groups]
-        return [group for group in kept if group]
+        return [group for group in groups if self._wanted(group)]
+
+    def _wanted(self, group: Sequence[str]) -> list[str]:
+        held_out = self.config.held_out or tuple(self.environments)
+        return [name for name in group if name in held_out]
 
     def _group(self, group: Sequence[str]) -> Iterator[Tested]:
         name = " ".join(group)
@@ -174,7 +176,7 @@ class _Run:
         learning = self._learning_policy(practice, name)
         acquired = self._acquire(learning)
         execution = self._execution_policy(practice, group, acquired, name)
-        for environment in group:
+        for environment in self._wanted(group):
             memory = self._memory(acquired, {environment})
             for instance in self.bench.instances:
                 if instance.environment == environment:
@@ -213,15 +215,16 @@ class _Run:
     def _demonstration_practice(self, instance: Instance) -> Practice[LearningInquiry]:
         human = self._human(instance)
         start = self.bench.demonstration(instance, self.sight)
-        return Practice(start, human, lambda held: human.right_goal(held.state.goal))
+        return Practice(start, human, lambda held: float(human.right_goal(held.state.goal)))
 
     def _command_practice(self, instance: Instance, memory: Memory) -> Practice[ExecutionInquiry]:
         human, gold = self._human(instance), self.bench.gold(instance)
         start = self.bench.command(instance, self.sight, memory)
         right_from = self.config.human.right_from
 
-        def right(held: Dialogue[ExecutionInquiry]) -> bool:
-            return carry_out(held.state, human, gold).sji >= right_from
+        def right(held: Dialogue[ExecutionInquiry]) -> float:
+            score = carry_out(held.state, human, gold).sji
+            return score if self.config.training.graded else float(score >= right_from)
 
         return Practice(start, human, right)
 

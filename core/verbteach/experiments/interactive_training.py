@@ -49,15 +49,17 @@ class TrainingParameters:
     ``dialogues`` in all, the first ``warm`` of them led by ManualPolicy and
     RandomPolicy in turn. ``epsilon`` is the exploration afterwards. ``price``
     multiplies what questions cost against the reward of success; 1 is the
-    paper's.
+    paper's. ``graded``: success in execution earns its share (the SJI) of the
+    reward instead of all or nothing, which is what the scores then measure.
     """
 
     learner: str = "lspi"
-    dialogues: int = 1200
-    warm: int = 200
-    epsilon: float = 0.1
+    dialogues: int = 1500
+    warm: int = 400
+    epsilon: float = 0.3
     gamma: float = 0.99
     price: float = 1.0
+    graded: bool = True
     rewards: Rewards = field(default_factory=Rewards)
 
     @property
@@ -74,11 +76,11 @@ class TrainingParameters:
 
 @dataclass(frozen=True)
 class Practice(Generic[Phase]):
-    """A situation to practise on: how it begins, who answers, and when the outcome is right."""
+    """A situation to practise on: how it begins, who answers, and how right (0 to 1) it was."""
 
     start: Phase
     human: SimulatedHuman
-    right: Callable[[Dialogue[Phase]], bool]
+    right: Callable[[Dialogue[Phase]], float]
 
 
 @dataclass(frozen=True)
@@ -114,16 +116,18 @@ def train(
             held.state.right = one.right(dialogue)
         dialogue = judged(dialogue, held.state.right, parameters.priced)
         learner.begin()
-        for step in steps(dialogue, space):
+        for step in steps(dialogue, space, index):
             learner.learn(step)
             log.append(step)
         returns.append(sum(turn.reward for turn in dialogue.turns))
         questions.append(dialogue.asked)
-    values = lspi(log, size, parameters.gamma) if parameters.learner == "lspi" else learner.weights
+    values = learner.weights
+    if parameters.learner == "lspi":
+        values = lspi(log, size, parameters.gamma, situations=len(practice))
     return Trained(Weights(space, tuple(values.tolist())), tuple(returns), tuple(questions))
 
 
-def steps(dialogue: Dialogue[Phase], space: FeatureSpace) -> Iterator[Step]:
+def steps(dialogue: Dialogue[Phase], space: FeatureSpace, situation: int = 0) -> Iterator[Step]:
     """A dialogue as learners see it, rewards in hundreds."""
     matrices = [space.matrix(turn.decision.candidates) for turn in dialogue.turns]
     chosen = [turn.decision.chosen for turn in dialogue.turns]
@@ -132,9 +136,9 @@ def steps(dialogue: Dialogue[Phase], space: FeatureSpace) -> Iterator[Step]:
         taken = matrices[place][chosen[place]]
         reward = turn.reward * REWARD_SCALE
         if place == last:
-            yield Step(taken, reward, None)
+            yield Step(taken, reward, None, 0, situation)
         else:
-            yield Step(taken, reward, matrices[place + 1], chosen[place + 1])
+            yield Step(taken, reward, matrices[place + 1], chosen[place + 1], situation)
 
 
 def _acting(
@@ -163,7 +167,7 @@ class _Remembering(Generic[Phase]):
 
     state: Phase
     children: dict[tuple[RobotAct, Reply], _Remembering[Phase]] = field(default_factory=dict)
-    right: bool | None = None
+    right: float | None = None
 
     def candidates(self) -> tuple[Candidate, ...]:
         return self.state.candidates()

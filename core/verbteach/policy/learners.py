@@ -33,6 +33,8 @@ class Step(NamedTuple):
     """Next candidates x features; none where the phase ended."""
     next_index: int = 0
     """Which of ``following`` was taken next."""
+    situation: int = 0
+    """Which of the situations practised on this was."""
 
     @property
     def next_taken(self) -> Floats | None:
@@ -171,27 +173,43 @@ class BayesianTD:
 
 
 def lspi(
-    log: Sequence[Step], size: int, gamma: float = GAMMA, ridge: float = 1.0, rounds: int = 20
+    log: Sequence[Step],
+    size: int,
+    gamma: float = GAMMA,
+    ridge: float = 1.0,
+    rounds: int = 20,
+    situations: int = 0,
 ) -> Floats:
     """Refit weights from a log of steps, whoever acted: least-squares policy iteration.
 
     Each round evaluates the policy that is greedy for the last round's weights;
-    it ends early when the weights stand still.
+    it ends early when the weights stand still. With ``situations`` each of them
+    has a level of its own, that is fitted and then forgotten: how hard a
+    command is says nothing about what to do, and is most of the variance.
     """
-    weights = np.zeros(size)
-    taken = np.array([step.taken for step in log]).reshape(-1, size)
+    weights = np.zeros(size + situations)
+    taken = np.array([_levelled(step.taken, step, situations) for step in log])
+    taken = taken.reshape(-1, size + situations)
     rewards = np.array([step.reward for step in log])
     for _ in range(rounds):
-        greedy = np.array([_greedy(step, weights) for step in log]).reshape(-1, size)
-        matrix = taken.T @ (taken - gamma * greedy) + ridge * np.eye(size)
-        new = np.linalg.solve(matrix, taken.T @ rewards)
+        greedy = np.array([_greedy(step, weights[:size], situations) for step in log])
+        matrix = taken.T @ (taken - gamma * greedy.reshape(taken.shape))
+        new = np.linalg.solve(matrix + ridge * np.eye(len(weights)), taken.T @ rewards)
         if np.abs(new - weights).max() < 1e-6:
-            return new
+            return np.asarray(new[:size])
         weights = new
-    return weights
+    return np.asarray(weights[:size])
 
 
-def _greedy(step: Step, weights: Floats) -> Floats:
+def _greedy(step: Step, weights: Floats, situations: int) -> Floats:
     if step.following is None:
-        return np.zeros(len(weights))
-    return np.asarray(step.following[int((step.following @ weights).argmax())])
+        return np.zeros(len(weights) + situations)
+    best = step.following[int((step.following @ weights).argmax())]
+    return _levelled(best, step, situations)
+
+
+def _levelled(features: Floats, step: Step, situations: int) -> Floats:
+    """The features with the mark of their situation."""
+    if not situations:
+        return features
+    return np.concatenate([features, np.arange(situations) == step.situation])
