@@ -241,3 +241,40 @@ async def test_quitting_records_that_the_person_left(tmp_path: Path) -> None:
         await here.pilot.press("ctrl+q")
         await _until(here.pilot, lambda: session.ended)
         assert session.ended
+
+
+async def test_what_is_typed_while_the_robot_thinks_is_a_new_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from verbteach.dialogue.robot import Robot
+
+    quick = Robot.receive
+
+    def slow(self: Robot, act: Any) -> Any:
+        time.sleep(0.5)
+        return quick(self, act)
+
+    async with room(tmp_path) as here:
+        entry = here.teach.query_one(CommandInput)
+        monkeypatch.setattr(Robot, "receive", slow)
+        await here.pilot.press(*"open", "space", *"it", "enter")
+        assert entry.value == "", "the line is on its way"
+        await here.pilot.press(*"ab")
+        await here.pilot.press("enter")
+        assert here.teach.thinking
+        assert entry.value == "ab", "it stays until the robot has answered"
+        await here.settle()
+        assert [line.text for line in here.teach.snapshot.lines if line.speaker == "teacher"] == [
+            "open it"
+        ]
+
+
+async def test_a_line_that_does_not_fit_comes_back_to_be_changed(tmp_path: Path) -> None:
+    async with room(tmp_path) as here:
+        entry = here.teach.query_one(CommandInput)
+        for text in ("scene: nowhere", "scene: a b", "object: Mug_1"):
+            await here.line(text)
+            assert entry.value == text
+            assert here.phase == "command"
+        await here.line("open the fridge")
+        assert entry.value == ""

@@ -14,14 +14,16 @@ from verbteach.world.fluents import Fluent, State
 from verbteach_scenarios.scenes import scene_ids
 from verbteach_tui.views.cards import Emphasis, arrange, picture_rows
 from verbteach_tui.views.labels import Labels, from_id
+from verbteach_tui.views.marks import stem
 from verbteach_tui.views.picture import Depictor
+from verbteach_tui.views.possible import changeable
 from verbteach_tui.views.rows import plain, width_of
 
 WIDTHS = (24, 56, 64, 110, 200)
 
 
 def depictor(setting: Setting) -> Depictor:
-    return Depictor(setting.scene, setting.task.fluents)
+    return Depictor(setting.scene)
 
 
 @pytest.mark.parametrize("scene", scene_ids())
@@ -64,6 +66,15 @@ def test_labels_tell_all_objects_of_a_scene_apart(scene: str) -> None:
     own = [key for key in setting.scene.objects if key not in setting.scene.domain.constants]
     assert len({labels[key].casefold() for key in own}) == len(own)
     assert all(labels.find(labels[key]) is not None for key in own)
+
+
+@pytest.mark.parametrize("scene", scene_ids())
+def test_what_can_be_open_or_on_is_what_the_grounded_task_says(scene: str) -> None:
+    setting = SETTINGS(scene)
+    shown = {"open", "on", "lit"}
+    grounded = {f for f in setting.task.fluents if len(f.args) == 1 and stem(f.predicate) in shown}
+    told = {f for f in changeable(setting.scene) if stem(f.predicate) in shown}
+    assert told == grounded
 
 
 def test_an_id_reads_as_words() -> None:

@@ -6,7 +6,16 @@ from textual.dom import DOMNode
 from textual.screen import Screen
 
 from verbteach_tui.keys import ANSWERS, ANYTIME
+from verbteach_tui.prompts import ABOUT
 from verbteach_tui.screens.teach import TeachScreen
+
+_UNSAID = frozenset(
+    {
+        *("switch", "type", "scroll_left", "scroll_right"),
+        *("app.focus_next", "app.focus_previous", "screen.copy_text"),
+    }
+)
+"""Bindings that the rows above them say better, or that say nothing to a teacher."""
 
 _PLAIN_HELP = "The arrow keys choose, Enter takes, Tab goes on to the next panel."
 
@@ -14,6 +23,8 @@ _PLAIN_HELP = "The arrow keys choose, Enter takes, Tab goes on to the next panel
 def help_about(node: DOMNode) -> str:
     """The help of ``node`` or of the nearest thing around it that has some."""
     for around in node.ancestors_with_self:
+        if isinstance(around, TeachScreen):
+            return ABOUT[around.snapshot.phase]
         text = getattr(around, "HELP", None)
         if isinstance(text, str) and text:
             return text
@@ -26,9 +37,9 @@ def keys_of(screen: Screen[object]) -> list[tuple[str, str]]:
     if isinstance(screen, TeachScreen):
         answers = (*ANSWERS[screen.snapshot.phase], *ANYTIME)
         rows += [(key.key, f"{key.label} (in words: {key.word})") for key in answers]
-        rows.append(("Tab or /", "type instead; Escape leaves the line"))
+        rows.append(("Tab or /", "type instead; Tab or Escape leaves the line"))
     for active in screen.active_bindings.values():
         binding = active.binding
-        if binding.description and not binding.system:
+        if binding.description and not binding.system and binding.action not in _UNSAID:
             rows.append((screen.app.get_key_display(binding), binding.description))
     return list(dict.fromkeys(rows))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from verbteach.language.lexicon import Lexicon
 from verbteach.verbs.knowledge import FrameSpace, VerbKnowledge
-from verbteach.verbs.lifting import Lifted, affordances_of, is_abstract, is_variable, terms_of
+from verbteach.verbs.lifting import Lifted, affordances_of, is_variable, terms_of
 from verbteach.verbs.space import Demonstration, FrameKey
 from verbteach.verbs.view import FrameDifference, NodeView, diff, graph
 from verbteach.world.domain import Domain
@@ -34,13 +34,19 @@ class Vocabulary:
 
     def _literal(self, literal: Literal, names: Mapping[str, str]) -> str:
         fluent = literal.fluent
-        args = [names.get(arg) or _term(arg) for arg in fluent.args]
+        args = [names.get(arg) or self._term(arg) for arg in fluent.args]
         wording = self.lexicon.fluents.get(fluent.predicate)
         if wording is None:
             text = " ".join((from_id(fluent.predicate), *args))
             return visible(text if literal.positive else f"not: {text}")
         pattern = wording.is_true if literal.positive else wording.is_false
         return pattern.format(*args)
+
+    def _term(self, term: str) -> str:
+        if is_variable(term):
+            return _variable(int(term[1:]))
+        agent = self.domain.is_a(self.domain.constants.get(term, ""), "agent")
+        return f"the {from_id(term)}" if agent else from_id(term)
 
     def _abstract(self, term: str) -> str:
         """The most particular type in an affordance set; its number tells apart two of a kind."""
@@ -144,12 +150,6 @@ def _told(demonstration: Demonstration) -> str:
     said = ", ".join(demonstration.phrases)
     where = f" in {scene}" + (f", command {int(number) + 1}" if number.isdecimal() else "")
     return visible(f"{demonstration.verb} {said}{where}")
-
-
-def _term(arg: str) -> str:
-    if is_variable(arg):
-        return _variable(int(arg[1:]))
-    return arg if is_abstract(arg) else from_id(arg)
 
 
 def _variable(index: int) -> str:

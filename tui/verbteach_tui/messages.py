@@ -47,14 +47,6 @@ class LineTyped(Message):
         self.text = text
 
 
-class LineTaken(Message):
-    """What was typed or pressed has become an act; it need not be kept in the line."""
-
-    def __init__(self, raw: str) -> None:
-        super().__init__()
-        self.raw = raw
-
-
 class StepChosen(Message):
     """The person picked a whole action to demonstrate."""
 
@@ -124,17 +116,19 @@ class TurnTaken(Message):
 
 
 class Refused(Message):
-    """What the person said does not fit; nothing has changed."""
+    """What the person said, ``raw``, does not fit; nothing has changed."""
 
-    def __init__(self, reason: str) -> None:
+    def __init__(self, reason: str, raw: str) -> None:
         super().__init__()
         self.reason = reason
+        self.raw = raw
 
 
 class WorkFailed(Message):
-    """Something broke in a worker; the session is as it was before."""
+    """Something broke in a worker over ``raw``; the session is as it was before."""
 
-    def __init__(self, doing: str, error: Exception) -> None:
+    def __init__(self, doing: str, error: Exception, raw: str) -> None:
         super().__init__()
         self.doing = doing
         self.error = error
+        self.raw = raw

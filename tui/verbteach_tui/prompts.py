@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from verbteach.dialogue import acts
 from verbteach.dialogue.moves import Phase
-from verbteach_tui.keys import ANSWERS, ANYTIME, Key
+from verbteach_tui.keys import ANSWERS, ANYTIME, NO, YES, Key
 from verbteach_tui.snapshot import Snapshot
 
 
@@ -25,6 +26,35 @@ PROMPTS: Mapping[Phase, Prompt] = {
     Phase.DEMONSTRATION: Prompt("Show it", "Type a step, as in: go to the sink"),
     Phase.READ_BACK: Prompt("Is that the goal?", "Say right or wrong"),
 }
+
+
+ABOUT: Mapping[Phase, str] = {
+    Phase.COMMAND: (
+        "The robot waits for a command. Type what it should do and press Enter. A verb it does not "
+        "know it asks you to show; one that it knows it carries out, and you judge the result. "
+        "With F6 you go to another scene; the robot takes along what it has learned."
+    ),
+    Phase.EXECUTION: (
+        "The robot asks before it acts. Answer with one key, with a digit or a click for an object "
+        "it asks about, or in words. Each question has its price; w says why it asks."
+    ),
+    Phase.LEARNING: (
+        "The robot asks about what you showed. Answer with one key, or in words. Each question has "
+        "its price; w says why it asks."
+    ),
+    Phase.JUDGEMENT: (
+        "The robot has carried the command out. Say whether it was right. If not, everything is "
+        "put back as it was, and you show it."
+    ),
+    Phase.DEMONSTRATION: (
+        "The robot watches. Show it step by step what the command means, and say done."
+    ),
+    Phase.READ_BACK: (
+        "The robot reads back what it will keep as the verb's meaning: what must hold afterwards. "
+        "Strike what does not matter, keep what it left out, and say whether it is right."
+    ),
+}
+"""What is going on in each phase, for the help."""
 
 
 class Bar(NamedTuple):
@@ -59,10 +89,18 @@ def bar_of(snapshot: Snapshot, typing: bool, watching: bool = False) -> Bar:
     lead = PROMPTS[snapshot.phase].lead
     if typing:
         return Bar(f"{lead}: type and press Enter", _while_typing(snapshot))
-    keys = list(ANSWERS[snapshot.phase])
-    if snapshot.choices:
-        keys.insert(0, Key(f"1-{len(snapshot.choices)}", "", "that one"))
-    return Bar(lead, tuple(keys), tuple(_always(snapshot)))
+    return Bar(lead, tuple(_answers(snapshot)), tuple(_always(snapshot)))
+
+
+def _answers(snapshot: Snapshot) -> list[Key]:
+    """The digits that pick an object, then the phase's keys; "which?" takes no yes or no."""
+    labels = snapshot.depictor.labels
+    picks = [
+        Key(digit, f"{acts.Point.name}: {thing}", labels[thing])
+        for digit, thing in snapshot.choices.items()
+    ]
+    which = isinstance(snapshot.waiting, acts.NpGrdWhq)
+    return [*picks, *(k for k in ANSWERS[snapshot.phase] if not (which and k in (YES, NO)))]
 
 
 def _while_typing(snapshot: Snapshot) -> tuple[Key, ...]:

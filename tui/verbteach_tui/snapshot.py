@@ -163,7 +163,7 @@ def take(session: Session, previous: Snapshot | None = None) -> Snapshot:
 def _depictor(setting: Setting, previous: Snapshot | None) -> Depictor:
     if previous is not None and previous.depictor.scene is setting.scene:
         return previous.depictor
-    return Depictor(setting.scene, setting.task.fluents)
+    return Depictor(setting.scene)
 
 
 def _learned_from(knowledge: VerbKnowledge, previous: Snapshot | None) -> VerbKnowledge:

@@ -23,7 +23,7 @@ from verbteach_tui.widgets.foot import Foot
 from verbteach_tui.widgets.scene_chooser import LoadScene, SceneChooser
 
 MOST = 60
-_WELCOME = "Teach a robot what verbs mean. Choose a room to begin, or go on with a session."
+_WELCOME = "Teach a robot what verbs mean. Choose a room."
 
 
 class HomeScreen(Screen[None]):

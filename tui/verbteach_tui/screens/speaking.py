@@ -9,13 +9,17 @@ from __future__ import annotations
 from functools import partial
 
 from textual.screen import Screen
+from textual.timer import Timer
 
 from verbteach_sessions.errors import StorageError
 from verbteach_sessions.script import LineSyntaxError, ScriptAct
 from verbteach_sessions.session_acts import SessionAct
-from verbteach_tui.messages import LineTaken, Refused, TurnTaken, WorkFailed
+from verbteach_tui.messages import Refused, TurnTaken, WorkFailed
 from verbteach_tui.snapshot import Snapshot
 from verbteach_tui.teaching import REFUSALS, Teaching
+
+PATIENCE = 0.25
+"""Seconds after which the screen says that the robot is thinking."""
 
 
 class SpeakingScreen(Screen[None]):
@@ -25,6 +29,7 @@ class SpeakingScreen(Screen[None]):
         super().__init__()
         self.teaching = teaching
         self._thinking = False
+        self._patience: Timer | None = None
 
     @property
     def snapshot(self) -> Snapshot:
@@ -36,40 +41,51 @@ class SpeakingScreen(Screen[None]):
         """Whether the robot has not answered yet."""
         return self._thinking
 
-    def say_line(self, line: str, via: str) -> None:
-        """Say what a typed line means now."""
+    def say_line(self, line: str, via: str) -> bool:
+        """Say what a typed line means now; False where it stays unsaid."""
+        if self._thinking:
+            return False
         try:
             act = self.snapshot.reader.read(line)
         except LineSyntaxError as error:
-            self.post_message(Refused(str(error)))
-            return
-        if act is not None:
-            self.say(act, line, via)
+            self.post_message(Refused(str(error), ""))
+            return False
+        return act is not None and self.say(act, line, via)
 
-    def say(self, act: ScriptAct, raw: str, via: str) -> None:
-        """Say ``act``; ``raw`` is what was typed or pressed, ``via`` how."""
+    def say(self, act: ScriptAct, raw: str, via: str) -> bool:
+        """Say ``act``; ``raw`` is what was typed or pressed, ``via`` how.
+
+        False where the robot is still thinking, and nothing was said.
+        """
         if self._thinking:
-            return
+            return False
         self._thinking = True
+        self._patience = self.set_timer(PATIENCE, self.waiting)
         self.run_worker(
             partial(self._speak, act, raw, via), thread=True, exit_on_error=False, group="session"
         )
+        return True
+
+    def waiting(self) -> None:
+        """The robot takes its time; for subclasses, to say so."""
 
     def _speak(self, act: ScriptAct, raw: str, via: str) -> None:
         """In a worker thread: perform the act and post what came of it."""
         try:
             snapshot = self.teaching.perform(act, raw, via)
         except REFUSALS as error:
-            self.post_message(Refused(str(error.args[0] if error.args else error)))
+            reason = str(error.args[0] if error.args else error)
+            self.post_message(Refused(reason, raw))
         except StorageError as error:
-            self.post_message(WorkFailed("writing the record", error))
+            self.post_message(WorkFailed("writing the record", error, raw))
         except Exception as error:
-            self.post_message(WorkFailed("working out the robot's turn", error))
+            self.post_message(WorkFailed("working out the robot's turn", error, raw))
         else:
-            self.post_message(LineTaken(raw))
             played = not isinstance(act, SessionAct)
             self.post_message(TurnTaken(snapshot, played and len(snapshot.moments) > 2))
 
     def settled(self) -> None:
         """The robot has answered, or could not; there is room for the next act."""
         self._thinking = False
+        if self._patience is not None:
+            self._patience.stop()

@@ -6,25 +6,18 @@ from collections.abc import Callable, Iterable
 from functools import partial
 from typing import ClassVar
 
-from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Container, Horizontal
-from textual.widgets import Input, Static
+from textual.widgets import Static
 
 from verbteach.dialogue import acts
 from verbteach.dialogue.moves import Phase
-from verbteach_sessions.script import parse_line, render
-from verbteach_sessions.session_acts import Note, Quit
-from verbteach_tui.keyguard import KeyGuard
-from verbteach_tui.keys import ANSWERS, ANYTIME, word_of
+from verbteach_sessions.session_acts import Quit
+from verbteach_tui.keys import ANSWERS, ANYTIME
 from verbteach_tui.messages import (
-    LineTaken,
-    LineTyped,
-    PartToggled,
     Refused,
     SessionLeft,
-    StepChosen,
     StepShown,
     TargetPicked,
     TurnTaken,
@@ -32,10 +25,9 @@ from verbteach_tui.messages import (
     WorkFailed,
 )
 from verbteach_tui.prompts import PROMPTS, bar_of
+from verbteach_tui.screens.answering import AnsweringScreen
 from verbteach_tui.screens.failure import FailureScreen
-from verbteach_tui.screens.note import NoteScreen
 from verbteach_tui.screens.scenes import ScenePicker
-from verbteach_tui.screens.speaking import SpeakingScreen
 from verbteach_tui.screens.verbs import VerbsScreen
 from verbteach_tui.snapshot import Moment, Snapshot
 from verbteach_tui.teaching import Teaching
@@ -55,7 +47,7 @@ from verbteach_tui.widgets.title_bar import TitleBar
 TABS = (("dialogue", "F2", "Dialogue"), ("scene", "F3", "Scene"), ("mind", "F4", "Mind"))
 
 
-class TeachScreen(SpeakingScreen):
+class TeachScreen(AnsweringScreen):
     """One session being taught in."""
 
     HORIZONTAL_BREAKPOINTS = [  # noqa: RUF012 (the base class declares its type)
@@ -84,7 +76,6 @@ class TeachScreen(SpeakingScreen):
         super().__init__(teaching)
         self._speed, self._scenes, self._load = speed, scenes, load
         self._after_leaving: Callable[[], object] | None = None
-        self.guard = KeyGuard()
         self._phase = Phase.COMMAND
 
     def compose(self) -> ComposeResult:
@@ -166,53 +157,9 @@ class TeachScreen(SpeakingScreen):
 
     def _show_keys(self) -> None:
         watching = self.query_one(Stage).execution.running
-        self.query_one(KeyBar).show_keys(*bar_of(self.snapshot, self._typing, watching))
-
-    @property
-    def _typing(self) -> bool:
-        return isinstance(self.focused, Input)
+        self.query_one(KeyBar).show_keys(*bar_of(self.snapshot, self.typing, watching))
 
     # ---- saying
-
-    def on_key(self, event: events.Key) -> None:
-        """A single key answers, unless it is part of a word being typed."""
-        character = event.character
-        if self._typing or character is None or not event.is_printable:
-            return
-        now = event.time
-        if self.guard.typing(character, now):
-            event.stop()
-            event.prevent_default()
-            if self.guard.swallowed == 2:
-                self.notify("To answer in words, press Tab or / first.", timeout=3)
-        elif self._answers(character):
-            event.stop()
-            event.prevent_default()
-            if self.guard.answers(now):
-                self._say_key(character)
-
-    def _answers(self, character: str) -> bool:
-        snapshot = self.snapshot
-        return character in snapshot.choices or word_of(character, snapshot.phase) is not None
-
-    def _say_key(self, character: str) -> None:
-        thing = self.snapshot.choices.get(character)
-        if thing is not None:
-            self.say(acts.Point(thing), character, "key")
-        else:
-            self._say_word(word_of(character, self.snapshot.phase) or "", character, "key")
-
-    def _say_word(self, word: str, raw: str, via: str) -> None:
-        if word == Note.name:
-            self.app.push_screen(NoteScreen(), self._note)
-            return
-        act = parse_line(word)
-        if act is not None:
-            self.say(act, raw, via)
-
-    def _note(self, text: str | None) -> None:
-        if text and text.strip():
-            self.say(Note(text.strip()), text, "typed")
 
     def on_word_said(self, message: WordSaid) -> None:
         """A word was chosen by a key of a widget, or by a click."""
@@ -223,21 +170,7 @@ class TeachScreen(SpeakingScreen):
         elif message.word == "leave":
             self._answer_with_keys()
         else:
-            self._say_word(message.word, message.word, message.via)
-
-    def on_line_typed(self, message: LineTyped) -> None:
-        """A line was typed."""
-        self.say_line(message.text, "typed")
-
-    def on_step_chosen(self, message: StepChosen) -> None:
-        """An action was picked from the lists."""
-        act = acts.Do(message.action)
-        self.say(act, render(act), "picked")
-
-    def on_part_toggled(self, message: PartToggled) -> None:
-        """A part of the goal was struck or kept."""
-        act = acts.Keep(message.literal) if message.keep else acts.Strike(message.literal)
-        self.say(act, render(act), "key")
+            self.say_word(message.word, message.word, message.via)
 
     def on_target_picked(self, message: TargetPicked) -> None:
         """An object was clicked in the scene or the mind, or a verb."""
@@ -251,10 +184,6 @@ class TeachScreen(SpeakingScreen):
 
     # ---- hearing
 
-    def on_line_taken(self, message: LineTaken) -> None:
-        """What was typed has become an act."""
-        self.query_one(CommandInput).taken(message.raw)
-
     def on_turn_taken(self, message: TurnTaken) -> None:
         """The robot has answered."""
         self.settled()
@@ -266,12 +195,20 @@ class TeachScreen(SpeakingScreen):
     def on_refused(self, message: Refused) -> None:
         """What was said does not fit; nothing has changed."""
         self.settled()
+        self.give_back(message.raw)
+        self._show_keys()
         self.notify(visible(message.reason), severity="warning", markup=False, timeout=6)
 
     def on_work_failed(self, message: WorkFailed) -> None:
         """Something broke; say so and go on."""
         self.settled()
+        self.give_back(message.raw)
+        self._show_keys()
         self.app.push_screen(FailureScreen(message.doing, message.error))
+
+    def waiting(self) -> None:
+        """Say that the robot is thinking."""
+        self.query_one(KeyBar).show_keys("… the robot is thinking", ())
 
     def on_step_shown(self, message: StepShown) -> None:
         """The execution being watched is one step on: the scene follows."""
@@ -293,7 +230,7 @@ class TeachScreen(SpeakingScreen):
 
     def action_word(self, word: str) -> None:
         """Say a word of the script."""
-        self._say_word(word, word, "key")
+        self.say_word(word, word, "key")
 
     def action_type(self) -> None:
         """Type an answer."""
@@ -301,7 +238,7 @@ class TeachScreen(SpeakingScreen):
 
     def action_switch(self) -> None:
         """From the line to where keys answer, or back to the line."""
-        if self._typing:
+        if self.typing:
             self._answer_with_keys()
         else:
             self.action_type()

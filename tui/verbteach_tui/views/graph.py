@@ -40,9 +40,9 @@ class GraphNode:
 
     @property
     def label(self) -> str:
-        """As drawn: its name, how often it was seen, and whether that is news."""
+        """As drawn: its name, how often it was seen, whether that is news, and if confirmed."""
         star = {"new": "✱", "seen again": "↑"}.get(self.news, "")
-        return f" {star}{self.name} ×{self.frequency} "
+        return f" {star}{self.name} ×{self.frequency}{'✓' if self.confirmed else ''} "
 
 
 @dataclass(frozen=True)
@@ -59,6 +59,16 @@ class HypothesisGraph:
     def nodes(self) -> Mapping[str, GraphNode]:
         """The nodes by name, specific to general."""
         return {node.name: node for level in self.levels for node in level}
+
+    @property
+    def foremost(self) -> str:
+        """The node to look at first: confirmed, in the news, seen often, and general."""
+        nodes = list(enumerate(self.nodes.values()))
+        order = [
+            (node.confirmed, bool(node.news), node.frequency, index, node.name)
+            for index, node in nodes
+        ]
+        return max(order)[-1] if order else ""
 
     def general(self, name: str) -> tuple[str, ...]:
         """The next more general nodes."""

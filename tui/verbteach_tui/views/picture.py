@@ -11,6 +11,7 @@ from verbteach.world.fluents import Fluent, State
 from verbteach.world.scene import Scene
 from verbteach_tui.views.labels import Labels
 from verbteach_tui.views.marks import CONTENT_GLYPH, Mark, mark_of, stem
+from verbteach_tui.views.possible import changeable
 
 PLACES = ("on", "in", "inside", "beside", "standson", "under")
 """Relations of a thing to where it is, by their stems; the first that holds places it."""
@@ -81,15 +82,14 @@ class Picture:
 
 
 class Depictor:
-    """Makes pictures of one scene; ``possible`` are the one-place fluents that actions concern."""
+    """Makes pictures of one scene."""
 
-    def __init__(self, scene: Scene, possible: Iterable[Fluent] = ()) -> None:
+    def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self.labels = Labels.of(scene)
         self._possible: dict[str, list[Fluent]] = defaultdict(list)
-        for fluent in possible:
-            if len(fluent.args) == 1:
-                self._possible[fluent.args[0]].append(fluent)
+        for fluent in changeable(scene):
+            self._possible[fluent.args[0]].append(fluent)
         self._agents = tuple(key for key in scene.objects if self._is_agent(key))
         self._values = frozenset(scene.domain.constants) - frozenset(self._agents)
         roots = self._roots(_Facts(scene.initial, self._rank))

@@ -37,18 +37,23 @@ class CommandInput(Input):
         self._completion.complete = complete
 
     def on_input_submitted(self, message: Input.Submitted) -> None:
-        """Hand the line on. It stays until it is taken, so that nothing typed is lost."""
+        """Hand the line on. It stays until it is sent, so that nothing typed is lost."""
         message.stop()
         if message.value.strip():
             self.post_message(LineTyped(message.value))
 
-    def taken(self, text: str) -> None:
-        """The line was taken: remember it and make room for the next one."""
-        if not self._said or self._said[-1] != text:
-            self._said.append(text)
+    def sent(self) -> None:
+        """The line is on its way: remember it and make room for the next one."""
+        if not self._said or self._said[-1] != self.value:
+            self._said.append(self.value)
         self._back = 0
-        if self.value == text:
-            self.clear()
+        self.clear()
+
+    def give_back(self, text: str) -> None:
+        """The line was refused: put it back to be changed, unless something else was begun."""
+        if not self.value:
+            self.value = text
+            self.cursor_position = len(text)
 
     def action_earlier(self) -> None:
         """Bring back what was said before."""

@@ -19,8 +19,9 @@ class HypothesisView(RowsView):
 
     HELP = (
         "The hypotheses about what the verb means: at the top those with the most conditions, "
-        "below them ever more general ones. A ×2 was seen in two demonstrations; ✱ is new, ↑ was "
-        "seen once more. The arrow keys choose a hypothesis; beside it stands what it says."
+        "below them ever more general ones. A ×2 was seen in two lessons; ✱ is new, ↑ was seen "
+        "once more, ✓ was confirmed by the teacher. The arrow keys choose a hypothesis; below "
+        "stands what it says."
     )
     BORDER_TITLE = "Hypotheses, specific to general"
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -43,11 +44,9 @@ class HypothesisView(RowsView):
         return self._chosen
 
     def show_graph(self, graph: HypothesisGraph) -> None:
-        """Show ``graph``; the chosen node stays chosen if it is still there."""
+        """Show ``graph``, its foremost node chosen."""
         self._graph = graph
-        if self._chosen not in graph.nodes:
-            self._chosen = next(iter(graph.nodes), "")
-        self.choose(self._chosen)
+        self.choose(graph.foremost)
 
     def action_step(self, by: int) -> None:
         """The next hypothesis to the left or right."""

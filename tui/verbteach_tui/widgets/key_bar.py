@@ -14,7 +14,7 @@ class KeyBar(RowsView, can_focus=False):
     """One or two rows of keys."""
 
     DEFAULT_CSS = """
-    KeyBar { height: auto; max-height: 3; overflow-y: hidden; scrollbar-gutter: auto; }
+    KeyBar { height: auto; max-height: 5; overflow-y: hidden; scrollbar-gutter: auto; }
     """
 
     def __init__(self, *, id: str | None = None) -> None:

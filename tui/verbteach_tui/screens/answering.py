@@ -1,0 +1,97 @@
+"""Answering the robot: single keys, words, typed lines, and what is picked from panels."""
+
+from __future__ import annotations
+
+from textual import events
+from textual.widgets import Input
+
+from verbteach.dialogue import acts
+from verbteach_sessions.script import parse_line, render
+from verbteach_sessions.session_acts import Note
+from verbteach_tui.keyguard import KeyGuard
+from verbteach_tui.keys import word_of
+from verbteach_tui.messages import LineTyped, PartToggled, StepChosen
+from verbteach_tui.screens.note import NoteScreen
+from verbteach_tui.screens.speaking import SpeakingScreen
+from verbteach_tui.teaching import Teaching
+from verbteach_tui.widgets.command_input import CommandInput
+
+_TYPING = "To answer in words, press Tab or / first."
+
+
+class AnsweringScreen(SpeakingScreen):
+    """Turns what the person presses, types and picks into acts."""
+
+    def __init__(self, teaching: Teaching) -> None:
+        super().__init__(teaching)
+        self.guard = KeyGuard()
+        self._typed = ""
+
+    @property
+    def typing(self) -> bool:
+        """Whether the keys go into the line."""
+        return isinstance(self.focused, Input)
+
+    def on_key(self, event: events.Key) -> None:
+        """A single key answers, unless it is part of a word being typed."""
+        character = event.character
+        if self.typing or character is None or not event.is_printable:
+            return
+        if self.guard.typing(character, event.time):
+            _consume(event)
+            if self.guard.swallowed == 2:
+                self.notify(_TYPING, timeout=3)
+        elif self._answers(character):
+            _consume(event)
+            if self.guard.answers(event.time):
+                self._say_key(character)
+
+    def _answers(self, character: str) -> bool:
+        snapshot = self.snapshot
+        return character in snapshot.choices or word_of(character, snapshot.phase) is not None
+
+    def _say_key(self, character: str) -> None:
+        thing = self.snapshot.choices.get(character)
+        if thing is not None:
+            self.say(acts.Point(thing), character, "key")
+        else:
+            self.say_word(word_of(character, self.snapshot.phase) or "", character, "key")
+
+    def say_word(self, word: str, raw: str, via: str) -> None:
+        """Say a word of the script; for a note, ask for its text first."""
+        if word == Note.name:
+            self.app.push_screen(NoteScreen(), self._note)
+            return
+        act = parse_line(word)
+        if act is not None:
+            self.say(act, raw, via)
+
+    def _note(self, text: str | None) -> None:
+        if text and text.strip():
+            self.say(Note(text.strip()), text, "typed")
+
+    def on_line_typed(self, message: LineTyped) -> None:
+        """A line was typed; it leaves the input once it is on its way."""
+        if self.say_line(message.text, "typed"):
+            self._typed = message.text
+            self.query_one(CommandInput).sent()
+
+    def give_back(self, raw: str) -> None:
+        """A typed line that came to nothing goes back into the input."""
+        if raw and raw == self._typed:
+            self.query_one(CommandInput).give_back(raw)
+
+    def on_step_chosen(self, message: StepChosen) -> None:
+        """An action was picked from the lists."""
+        act = acts.Do(message.action)
+        self.say(act, render(act), "picked")
+
+    def on_part_toggled(self, message: PartToggled) -> None:
+        """A part of the goal was struck or kept."""
+        act = acts.Keep(message.literal) if message.keep else acts.Strike(message.literal)
+        self.say(act, render(act), "picked")
+
+
+def _consume(event: events.Key) -> None:
+    event.stop()
+    event.prevent_default()
