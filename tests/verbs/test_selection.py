@@ -103,6 +103,33 @@ def test_the_whole_verb_gives_the_goals_of_its_other_frames() -> None:
     assert {"Box_9", "Table_7"} <= {literal.fluent.args[0] for e in narrow for literal in e.goal}
 
 
+def test_only_the_most_general_hypotheses_apply_where_asked() -> None:
+    situation = in_new_room(certain(("Box_9", "Table_7")), 2)
+    (least,) = evidence(BOTH, situation, ApplicationParameters(least_only=True))
+    assert least.goal == {Literal(on("Box_9", "Table_7"))}
+
+
+def test_a_verb_that_nobody_taught_borrows_from_all() -> None:
+    situation = in_new_room(certain(("Box_9", "Table_7")), 2)
+    borrowed = ApplicationParameters(any_verb=True)
+    unknown = replace(situation, frame=FrameKey("stow", 2))
+    assert evidence(BOTH, unknown) == ()
+    assert {e.goal for e in evidence(BOTH, unknown, borrowed)} == {
+        e.goal for e in evidence(BOTH, situation)
+    }
+    assert evidence(BOX, situation, borrowed) == ()  # the verb is known, in another frame
+
+
+def test_objects_that_a_hypothesis_does_not_speak_of_are_not_told_apart() -> None:
+    """The lamp's goal is one support, whatever the other noun phrase may mean."""
+    light = VerbKnowledge.merged([taught("a", LIGHT, ("Lamp_1", "Box_1"))])
+    belief = uniform((("Lamp_1",), ("Box_8", "Box_9", "Table_7")))
+    (found,) = evidence(light, in_new_room(belief, 2))
+    (support,) = found.supports
+    assert support.arguments == ("Lamp_1", None)
+    assert support.probability == pytest.approx(1.0)
+
+
 def test_specific_and_general_criteria_pick_the_ends_of_the_space() -> None:
     situation = in_new_room(certain(("Box_9", "Table_7")), 2)
     sizes = {

@@ -147,12 +147,20 @@ class Scores:
         return {"ied": self.ied.to_json(), "sji": self.sji.to_json()}
 
 
-def scores(runs: Sequence[Sequence[Trial]], seed: int = 0) -> Scores:
-    """Summarise the runs' trials."""
+def scores(runs: Sequence[Sequence[Trial]], seed: int = 0, resample: int = 2000) -> Scores:
+    """Summarise the runs' trials; intervals come from ``resample`` bootstrap samples."""
     rows = [[(trial.group, trial.score) for trial in trials] for trials in runs]
     return Scores(
-        figure([[Observation(g, s.ied) for g, s in run] for run in rows], stream(seed, "ied")),
-        figure([[Observation(g, s.sji) for g, s in run] for run in rows], stream(seed, "sji")),
+        figure(
+            [[Observation(g, s.ied) for g, s in run] for run in rows],
+            stream(seed, "ied"),
+            resample,
+        ),
+        figure(
+            [[Observation(g, s.sji) for g, s in run] for run in rows],
+            stream(seed, "sji"),
+            resample,
+        ),
     )
 
 
@@ -174,7 +182,9 @@ def evaluate(
     setup: Setup,
     runs: int = 1,
     mapper: Mapper = map,
+    *,
     ceilings: bool = True,
+    resample: int = 2000,
 ) -> dict[str, Any]:
     """Evaluate a learner; the JSON document of ``verbteach evaluate``.
 
@@ -189,7 +199,7 @@ def evaluate(
         "objects": setup.variant.learning.object_set.value,
         "grounding": setup.grounding,
         "folds": [fold.name for fold in grounds.folds],
-        **scores(trials, setup.seed).to_json(),
+        **scores(trials, setup.seed, resample).to_json(),
         "questions_learning": constant(0.0, runs).to_json(),
         "questions_execution": constant(0.0, runs).to_json(),
         "instances": len(trials[0]),
@@ -197,8 +207,9 @@ def evaluate(
     if ceilings:
         best = replace(setup, variant=replace(setup.variant, criterion=ORACLE))
         oracle = [run_trials(grounds, best, run, mapper) for run in range(runs)]
+        goal = [ceiling_trials(grounds)] * runs
         document["ceilings"] = {
-            "oracle_selection": scores(oracle, setup.seed).to_json(),
-            "oracle_goal": scores([ceiling_trials(grounds)] * runs, setup.seed).to_json(),
+            "oracle_selection": scores(oracle, setup.seed, resample).to_json(),
+            "oracle_goal": scores(goal, setup.seed, resample).to_json(),
         }
     return document

@@ -62,6 +62,7 @@ class ApplicationParameters:
     ``whole_verb``: the verb's other frames give goals too, their variables
     bound to the new objects in every order-keeping way, left-over ones to the
     object they had; a wider pool than the papers'.
+    ``any_verb``: a verb that nobody taught borrows the goals of all verbs.
     ``least_only``: of each demonstration only the most general hypotheses
     apply, which loses little and is four times faster.
     ``groundings``: at most this many joint groundings, the likeliest first.
@@ -69,6 +70,7 @@ class ApplicationParameters:
 
     replace_missing: int = 0
     whole_verb: bool = False
+    any_verb: bool = False
     least_only: bool = False
     groundings: int = 64
 
@@ -152,7 +154,7 @@ def evidence(
     belief = likeliest(situation.groundings, parameters.groundings)
     things = _Things(situation.setting, parameters.replace_missing)
     found: dict[Goal, list[Support]] = defaultdict(list)
-    for frame in _frames(knowledge, situation.frame, parameters.whole_verb):
+    for frame in _frames(knowledge, situation.frame, parameters):
         arguments = _Arguments(frame, belief)
         for node in frame.nodes.values():
             bindings = node.least if parameters.least_only else node.bindings
@@ -161,11 +163,16 @@ def evidence(
     return tuple(Evidence(goal, tuple(s), situation) for goal, s in found.items())
 
 
-def _frames(knowledge: VerbKnowledge, key: FrameKey, whole_verb: bool) -> list[FrameSpace]:
-    if not whole_verb:
-        return [knowledge.frames[key]] if key in knowledge.frames else []
-    own = [k for k in knowledge.frames if k.verb == key.verb]
-    return [knowledge.frames[k] for k in sorted(own, key=lambda k: (k != key, k))]
+def _frames(
+    knowledge: VerbKnowledge, key: FrameKey, parameters: ApplicationParameters
+) -> list[FrameSpace]:
+    if parameters.whole_verb:
+        chosen = [k for k in knowledge.frames if k.verb == key.verb]
+    else:
+        chosen = [key] if key in knowledge.frames else []
+    if parameters.any_verb and key.verb not in knowledge.verbs:
+        chosen = list(knowledge.frames)
+    return [knowledge.frames[k] for k in sorted(chosen, key=lambda k: (k != key, k))]
 
 
 def _supports(

@@ -178,7 +178,7 @@ class VerbKnowledge:
         """Every demonstration's space, by frame and then in the frame's order."""
         return tuple(space for key in sorted(self.frames) for space in self.frames[key].spaces)
 
-    @property
+    @cached_property
     def verbs(self) -> tuple[str, ...]:
         """The verbs with at least one hypothesis, sorted."""
         return tuple(sorted({key.verb for key in self.frames}))
