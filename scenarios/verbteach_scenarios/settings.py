@@ -6,6 +6,7 @@ from functools import cache
 from pathlib import Path
 
 from verbteach.dialogue.setting import Setting, Settings
+from verbteach.language.agreement import SecondReader
 from verbteach.world.planner import PlannerConfig, make_planner
 from verbteach.world.task import Task
 from verbteach_scenarios.lexicon_file import load_lexicon
@@ -16,9 +17,10 @@ from verbteach_scenarios.scenes import load_scene
 _INTERACTIVE = PlannerConfig(expansions=500)
 
 
-def make_settings(folder: Path | None = None) -> Settings:
+def make_settings(folder: Path | None = None, second: SecondReader | None = None) -> Settings:
     """Settings for the scenes in ``folder``, or for the bundled ones; each is prepared once.
 
+    ``second`` is there in every scene for whoever wants a second reading.
     The function it answers raises ``UnknownSceneError`` and ``WorldFileError``.
     """
 
@@ -26,6 +28,6 @@ def make_settings(folder: Path | None = None) -> Settings:
     def setting(scene_id: str) -> Setting:
         scene = load_scene(scene_id, folder)
         task = Task.from_scene(scene)
-        return Setting(scene, task, make_planner(task, _INTERACTIVE), load_lexicon(folder))
+        return Setting(scene, task, make_planner(task, _INTERACTIVE), load_lexicon(folder), second)
 
     return setting

@@ -18,7 +18,8 @@ def content_of(event: Event) -> dict[str, Any] | None:
     if event.type in OUTSIDE_CONTENT:
         return None
     fields = EVENT_TYPES[event.type].fields
-    content = {field.name: event.data[field.name] for field in fields if field.content}
+    named = [field.name for field in fields if field.content]
+    content = {name: event.data[name] for name in named if name in event.data}
     return {"type": event.type, **content}
 
 

@@ -182,6 +182,13 @@ _TYPES = (
             Field("seed", INTEGER, "the seed of every random draw", content=True),
             Field("noise", OBJECT, "the noise model of what the robot sees", content=True),
             Field("parameters", OBJECT, "the method's other parameters", content=True),
+            Field(
+                "second_opinion",
+                FLAG,
+                "whether a second reader took part; may be missing, which is false",
+                content=True,
+                optional=True,
+            ),
             Field("source", or_null(of_shape(SOURCE)), "the session it goes on from"),
             Field("learned_before", list_of(of_shape(RECORD)), "what that taught", content=True),
         ),

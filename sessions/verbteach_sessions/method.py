@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Any
 
 from verbteach.dialogue.parameters import RobotParameters
 from verbteach.dialogue.policy import Policy
 from verbteach.dialogue.robot import Robot
-from verbteach.dialogue.setting import Settings
+from verbteach.dialogue.setting import Setting, Settings
+from verbteach.language.agreement import NoSecondReaderError
 from verbteach.perception.noise import NoiseModel
 from verbteach.policy.demonstration_only import DemonstrationOnlyPolicy
 from verbteach.policy.fixed_rules import ManualPolicy, RandomPolicy, SplitPolicy
@@ -29,10 +31,15 @@ class UnknownPolicyError(SessionError):
 
 @dataclass(frozen=True)
 class Method:
-    """A question policy and the robot's parameters, the seed and the noise model among them."""
+    """A question policy and the robot's parameters, the seed and the noise model among them.
+
+    ``second_opinion``: the robot asks before it acts on a command that a second
+    reader reads differently.
+    """
 
     policy: Policy = field(default_factory=DemonstrationOnlyPolicy)
     parameters: RobotParameters = field(default_factory=RobotParameters)
+    second_opinion: bool = False
 
     @classmethod
     def named(cls, policy: str, parameters: RobotParameters | None = None) -> Method:
@@ -40,10 +47,16 @@ class Method:
         return cls(_kind(policy)(), parameters or RobotParameters())
 
     def to_json(self) -> dict[str, Any]:
-        """Plain JSON: ``policy``, ``seed``, ``noise`` and the other ``parameters``."""
+        """Plain JSON: ``policy``, ``seed``, ``noise`` and the other ``parameters``.
+
+        ``second_opinion`` only where there is one, so that what was recorded
+        without has the content hash it always had.
+        """
         rest = to_plain(self.parameters)
         seed, noise = rest.pop("seed"), rest.pop("noise")
-        return {"policy": to_plain(self.policy), "seed": seed, "noise": noise, "parameters": rest}
+        second = {"second_opinion": True} if self.second_opinion else {}
+        policy = to_plain(self.policy)
+        return {"policy": policy, "seed": seed, "noise": noise, "parameters": rest, **second}
 
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> Method:
@@ -55,12 +68,21 @@ class Method:
         return cls(
             from_plain(_kind(policy["name"]), policy, "policy"),
             from_plain(RobotParameters, {**data["parameters"], **parts}),
+            from_plain(bool, data.get("second_opinion", False), "second_opinion"),
         )
+
+    def settings(self, settings: Settings) -> Settings:
+        """The settings as this method has them: with a second reader or without.
+
+        Where one is wanted and a scene comes without, that raises ``NoSecondReaderError``.
+        """
+        return _needing_reader(settings) if self.second_opinion else _without_reader(settings)
 
     def robot(self, settings: Settings, records: Sequence[Mapping[str, Any]] = ()) -> Robot:
         """A robot that has learned what the ``learned`` records say; it is in no scene yet."""
         knowledge, experience = knowledge_of(records)
-        return Robot(settings, self.policy, self.parameters, knowledge, experience)
+        here = self.settings(settings)
+        return Robot(here, self.policy, self.parameters, knowledge, experience)
 
     def with_noise(self, noise: NoiseModel) -> Method:
         """The same method with other eyes."""
@@ -77,6 +99,28 @@ def knowledge_of(
     spaces = [space for record in records for space in record["spaces"]]
     pairs = [(phrase, thing) for record in records for phrase, thing in record["experience"]]
     return VerbKnowledge.from_json({"spaces": spaces}), dict(Counter(pairs))
+
+
+def _needing_reader(settings: Settings) -> Settings:
+    def setting(scene_id: str) -> Setting:
+        found = settings(scene_id)
+        if found.second is None:
+            raise NoSecondReaderError(
+                "the session is held with a second opinion, and there is none here:"
+                " install the extra verbteach[nlp]"
+            )
+        return found
+
+    return setting
+
+
+def _without_reader(settings: Settings) -> Settings:
+    @cache
+    def setting(scene_id: str) -> Setting:
+        found = settings(scene_id)
+        return found if found.second is None else replace(found, second=None)
+
+    return setting
 
 
 def _kind(policy: str) -> type[Policy]:

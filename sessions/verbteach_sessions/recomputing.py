@@ -8,6 +8,7 @@ from typing import Any
 
 from verbteach.dialogue.codec import ActFormatError, teacher_act_from_json
 from verbteach.dialogue.setting import Settings, UnknownSceneError
+from verbteach.language.agreement import NoSecondReaderError
 from verbteach_sessions import events as kinds
 from verbteach_sessions.events import EVENT_TYPES
 from verbteach_sessions.fold import Fold, Reply
@@ -51,7 +52,8 @@ class Recomputing:
         """Check, recompute, compare and add one event.
 
         Raises :class:`EventError`, ``UnknownSceneError`` for the scene that the
-        session begins in, ``UnknownPolicyError`` and ``UnsafeNameError``.
+        session begins in, ``NoSecondReaderError`` where the session was held with
+        one and there is none, ``UnknownPolicyError`` and ``UnsafeNameError``.
         """
         check_fields(event)
         if event.type == kinds.REBUILD:
@@ -70,6 +72,8 @@ class Recomputing:
             return None
         try:
             reply = self.fold.reply(owed)
+        except NoSecondReaderError:  # says nothing of the record, only of this installation
+            raise
         except UnknownSceneError:
             if owed.type == kinds.HEADER:
                 raise

@@ -8,14 +8,16 @@ from typing import Any
 
 from verbteach.dialogue.moves import IllegalMoveError
 from verbteach.dialogue.setting import UnknownObjectError, UnknownSceneError
+from verbteach.language.agreement import NoSecondReaderError
 from verbteach_sessions import events as kinds
 from verbteach_sessions.errors import StorageError, TooLongError
 from verbteach_sessions.eventlog import Draft, EventLog, Position
 from verbteach_sessions.fold import Fold, Reply
 from verbteach_sessions.lines import Event
 
-# The person's doing: the act does not fit, and nothing of it is kept.
-MISFITS = (IllegalMoveError, UnknownSceneError, UnknownObjectError)
+# The person's doing: the act does not fit, or what it takes to read it is not installed.
+# Nothing of it is kept.
+MISFITS = (IllegalMoveError, UnknownSceneError, UnknownObjectError, NoSecondReaderError)
 
 
 class Recorder:
@@ -61,7 +63,7 @@ class Recorder:
         """Record the reply to an act that an earlier process recorded; what went wrong, if so."""
         try:
             self._keep((), self.fold.reply(teacher))
-        except StorageError:
+        except (StorageError, NoSecondReaderError):
             raise
         except Exception as error:
             self.refuse(teacher, error)

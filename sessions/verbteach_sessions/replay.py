@@ -56,7 +56,7 @@ def verify(path: Path, settings: Settings, to: int | None = None) -> Verificatio
 
     A line that was changed, lost or replaced is a difference; a torn last line
     is a warning. Raises ``NewerLogError``, ``NotASessionError``, ``LogError``
-    on a file that is no log, and ``UnknownSceneError``.
+    on a file that is no log, ``UnknownSceneError`` and ``NoSecondReaderError``.
     """
     reader = LogReader(path)
     past = Recomputing(settings)
@@ -110,10 +110,10 @@ def _pins(past: Recomputing) -> tuple[str, ...]:
     header = past.fold.history.header
     if header is None:
         return ()
-    made, now = Header.from_json(header.data).machine.software, versions()
-    changed = [name for name in sorted({*made, *now}) if made.get(name) != now.get(name)]
+    recorded, now = Header.from_json(header.data), versions()
+    made = recorded.machine.software
     return tuple(
         f"recorded with {name} {made.get(name, 'not installed')},"
         f" recomputed with {now.get(name, 'none')}"
-        for name in changed
+        for name in recorded.changed_software(now)
     )

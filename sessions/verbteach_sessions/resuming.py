@@ -15,7 +15,7 @@ from verbteach_sessions import events as kinds
 from verbteach_sessions.errors import LogError
 from verbteach_sessions.eventlog import EventLog
 from verbteach_sessions.fold import Fold
-from verbteach_sessions.header import Machine
+from verbteach_sessions.header import Header, Machine
 from verbteach_sessions.header_file import header_fits, write_header
 from verbteach_sessions.lines import Event, canonical, digest
 from verbteach_sessions.method import knowledge_of
@@ -36,7 +36,7 @@ def reopen(
     """Open a session for writing.
 
     Raises the errors of reading a log, ``SessionInUseError``, ``StorageError``
-    and ``UnknownSceneError``.
+    ``UnknownSceneError`` and ``NoSecondReaderError``.
     """
     past = _Past(path, settings)
     log, warnings = EventLog.open(path, past.take)
@@ -120,7 +120,7 @@ def _repair(
 
 
 def _excuse(past: _Past, machine: Machine) -> str:
-    node, old = past.fold.history.current, past.fold.header.machine
+    node, old = past.fold.history.current, past.fold.header
     scene = "the scene" if node is None else node.after["scene"]
     return (
         f"This session cannot be recomputed as it was recorded{_why(old, machine)}. All that I had"
@@ -129,16 +129,15 @@ def _excuse(past: _Past, machine: Machine) -> str:
     )
 
 
-def _why(old: Machine, new: Machine) -> str:
+def _why(old: Header, new: Machine) -> str:
     def of(machine: Machine) -> Mapping[str, str]:
         return {"Python": machine.python, **machine.software}
 
-    before, now = of(old), of(new)
-    changed = [
-        f"{name} {before.get(name, 'none')}, now {now.get(name, 'none')}"
-        for name in sorted({*before, *now})
-        if before.get(name) != now.get(name)
-    ]
+    before, now = of(old.machine), of(new)
+    names = old.changed_software(new.software)
+    if old.machine.python != new.python:
+        names = ("Python", *names)
+    changed = [f"{name} {before.get(name, 'none')}, now {now.get(name, 'none')}" for name in names]
     return f" (it was made with {', '.join(changed)})" if changed else ""
 
 

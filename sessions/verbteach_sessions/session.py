@@ -56,9 +56,10 @@ class Session:
     ) -> Session:
         """Begin a session: make its folder in ``folder``, and open the scene.
 
-        Raises ``UnknownSceneError`` before anything is made, and ``StorageError``.
+        Raises ``UnknownSceneError`` and ``NoSecondReaderError`` before anything is
+        made, and ``StorageError``.
         """
-        settings(header.scene)
+        header.method.settings(settings)(header.scene)
         opened = clock()
         path = folder / header.id
         make_private_folder(path)
@@ -85,7 +86,7 @@ class Session:
         """Go on with a session, given its folder or its log.
 
         Raises the errors of reading a log, ``SessionInUseError``,
-        ``StorageError`` and ``UnknownSceneError``.
+        ``StorageError``, ``UnknownSceneError`` and ``NoSecondReaderError``.
         """
         reopened = reopen(path, settings, machine or Machine.here("script"), clock)
         return cls(reopened.recorder, reopened.recovered)

@@ -1,6 +1,7 @@
 """Shapes of JSON values: what kinds there are, how they are called, and whether a value is of one.
 
-A shape is an object with named fields, all of them needed and no others allowed.
+A shape is an object with named fields, no others allowed, and all of them needed but
+those that are optional.
 """
 
 from __future__ import annotations
@@ -21,12 +22,16 @@ class Kind(NamedTuple):
 
 
 class Field(NamedTuple):
-    """A member of an object. ``content`` fields of an event enter the session's content hash."""
+    """A member of an object. ``content`` fields of an event enter the session's content hash.
+
+    ``optional`` fields may be missing, as in records older than the field.
+    """
 
     name: str
     kind: Kind
     meaning: str
     content: bool = False
+    optional: bool = False
 
 
 class Shape(NamedTuple):
@@ -44,13 +49,13 @@ def wrong_fields(shape: Shape, value: Any) -> Iterator[str]:
         return
     for field in shape.fields:
         if field.name not in value:
-            yield f".{field.name}: is missing"
+            if not field.optional:
+                yield f".{field.name}: is missing"
             continue
         for problem in field.kind.problems(value[field.name]):
             yield f".{field.name}{problem}"
-    if len(value) > len(shape.fields):
-        known = {field.name for field in shape.fields}
-        yield from (f".{name[:40]}: is unknown" for name in sorted(value) if name not in known)
+    unknown = value.keys() - {field.name for field in shape.fields}
+    yield from (f".{name[:40]}: is unknown" for name in sorted(unknown))
 
 
 def of_shape(shape: Shape) -> Kind:

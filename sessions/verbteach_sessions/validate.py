@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from verbteach.dialogue.setting import Settings, UnknownSceneError
+from verbteach.language.agreement import NoSecondReaderError
 from verbteach_sessions.checks import CHECKS
 from verbteach_sessions.errors import DamagedLogError, LogError, NotASessionError, SessionError
 from verbteach_sessions.eventlog import LogReader
@@ -141,7 +142,7 @@ def _wrong_header(event: Event) -> str:
 def _replayed(path: Path, settings: Settings) -> Iterator[Finding]:
     try:
         difference = verify(path, settings).first_difference
-    except (SessionError, UnknownSceneError) as error:
+    except (SessionError, UnknownSceneError, NoSecondReaderError) as error:
         yield Finding("replay", None, str(error))
         return
     if difference is not None:

@@ -64,7 +64,10 @@ def content_hash_by_the_page(events: list[dict[str, Any]]) -> str:
         if event["type"] in outside or following["type"] == "fault":
             continue
         names = re.findall(r"^\| `(\w+)` .* yes \|$", sections[event["type"]], re.MULTILINE)
-        content = {"type": event["type"], **{name: event["data"][name] for name in names}}
+        content = {
+            "type": event["type"],
+            **{n: event["data"][n] for n in names if n in event["data"]},
+        }
         line = json.dumps(content, sort_keys=True, separators=(",", ":"))
         contents.update(line.encode() + b"\n")
     return contents.hexdigest()

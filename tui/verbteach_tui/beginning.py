@@ -8,7 +8,7 @@ when a session is opened, so that the home screen appears at once.
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,6 +18,7 @@ from verbteach_tui.conclusion import WrongUseError
 if TYPE_CHECKING:
     from verbteach.dialogue.setting import Setting, Settings
     from verbteach.world.scene import Scene
+    from verbteach_scenarios.nlp.second_opinion import SecondOpinion
     from verbteach_sessions.header import Source
     from verbteach_sessions.method import Method
     from verbteach_sessions.session import Session
@@ -31,6 +32,7 @@ class Choices:
     noise: str = "perfect"
     noise_reading: str = "literal"
     seed: int = 0
+    second_opinion: bool = False
 
 
 @dataclass(frozen=True)
@@ -71,6 +73,8 @@ class Beginning:
     @cached_property
     def method(self) -> Method:
         """The method by its names. Raises :class:`WrongUseError` for one that is not there."""
+        if self.choices.second_opinion and self._second is None:
+            raise WrongUseError("a second opinion needs the extra verbteach[nlp], not installed")
         from verbteach.dialogue.parameters import RobotParameters
         from verbteach.perception.noise import NoiseModel
         from verbteach_sessions.method import POLICIES, Method
@@ -80,7 +84,9 @@ class Beginning:
             has = ", ".join(POLICIES)
             raise WrongUseError(f"this version has no policy {chosen.policy!r}; it has: {has}")
         noise = NoiseModel.named(chosen.noise, chosen.noise_reading)
-        return Method.named(chosen.policy, RobotParameters(seed=chosen.seed, noise=noise))
+        parameters = RobotParameters(seed=chosen.seed, noise=noise)
+        named = Method.named(chosen.policy, parameters)
+        return replace(named, second_opinion=chosen.second_opinion)
 
     @cached_property
     def source(self) -> Source | None:
@@ -94,9 +100,12 @@ class Beginning:
         from verbteach_sessions.header import Header
         from verbteach_sessions.session import Session
 
+        method = self.method
+        if method.second_opinion and self._second is not None:
+            self._second.begin()
         header = Header.new(
             scene,
-            self.method,
+            method,
             interface=self.interface,
             terminal=_terminal_size(),
             teacher=self.teacher,
@@ -117,7 +126,13 @@ class Beginning:
     def _settings(self) -> Settings:
         from verbteach_scenarios.settings import make_settings
 
-        return make_settings(self.scenes)
+        return make_settings(self.scenes, self._second)
+
+    @cached_property
+    def _second(self) -> SecondOpinion | None:
+        from verbteach_scenarios.nlp.second_opinion import if_installed
+
+        return if_installed()
 
     def _keep(self, session: Session) -> Session:
         self.opened.append(session)

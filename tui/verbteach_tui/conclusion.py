@@ -64,6 +64,7 @@ def _of_file(error: OSError) -> str:
 def _wrong_input() -> tuple[type[Exception], ...]:
     from verbteach.dialogue.moves import IllegalMoveError
     from verbteach.dialogue.setting import UnknownObjectError, UnknownSceneError
+    from verbteach.language.agreement import NoSecondReaderError
     from verbteach.world.fluents import FluentSyntaxError
     from verbteach_scenarios.errors import WorldFileError
     from verbteach_sessions.errors import SessionError
@@ -71,6 +72,7 @@ def _wrong_input() -> tuple[type[Exception], ...]:
     return (
         FluentSyntaxError,
         IllegalMoveError,
+        NoSecondReaderError,
         SessionError,
         UnknownObjectError,
         UnknownSceneError,

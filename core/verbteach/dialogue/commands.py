@@ -7,30 +7,52 @@ from verbteach.dialogue.acts import AskRephrase, AwaitCommand, StartClause
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.moves import Phase
 from verbteach.dialogue.understanding import (
+    CommandReading,
     attached,
     clause_text,
     read_command,
     read_reply,
 )
+from verbteach.language.frames import VerbFrame
 
 
 def hear(draft: Draft, text: str) -> None:
     """Take up a command, or a yes to the command that the robot offered instead."""
-    offered = draft.state.suggested
-    draft.remember(suggested="")
-    if offered and (label := read_reply(text).label):
-        if label == "yes":
-            hear(draft, offered)
-        else:
-            draft.wait(AskRephrase("Then please say it in other words."), Phase.COMMAND)
-        return
-    reading = read_command(draft, text)
+    suggested, offered = draft.state.suggested, draft.state.offered
+    draft.remember(suggested="", offered=())
+    label = read_reply(text).label if suggested else ""
+    if not label:
+        _consider(draft, read_command(draft, text))
+    elif label != "yes":
+        draft.wait(AskRephrase("Then please say it in other words."), Phase.COMMAND)
+    elif offered:
+        _take_up(draft, offered)
+    else:
+        hear(draft, suggested)
+
+
+def _consider(draft: Draft, reading: CommandReading) -> None:
+    """Take up what was read, or ask where nothing was or the second reader reads it otherwise."""
     if not reading.frames:
         draft.remember(suggested=reading.suggestion)
         draft.wait(AskRephrase(reading.problem), Phase.COMMAND)
-        return
-    draft.reading = "; ".join(clause_text(frame) for frame in reading.frames)
-    draft.remember(clauses=reading.frames, referents=())
+    elif reading.disputed:
+        _offer(draft, reading.frames)
+    else:
+        _take_up(draft, reading.frames)
+
+
+def _offer(draft: Draft, frames: tuple[VerbFrame, ...]) -> None:
+    """Ask whether the robot's own reading is what the teacher means."""
+    said = ", then ".join(clause_text(frame) for frame in frames)
+    draft.remember(suggested=said, offered=frames)
+    question = f"I read that as: {said}. Is that what you mean?"
+    draft.wait(AskRephrase(question), Phase.COMMAND)
+
+
+def _take_up(draft: Draft, frames: tuple[VerbFrame, ...]) -> None:
+    draft.reading = "; ".join(clause_text(frame) for frame in frames)
+    draft.remember(clauses=frames, referents=())
     go_on(draft)
 
 

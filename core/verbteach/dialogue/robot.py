@@ -118,6 +118,7 @@ class Robot:
             referents=(),
             clauses=(),
             suggested="",
+            offered=(),
         )
         return self._turn(state, await_command)
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
 
+from verbteach.language.agreement import SecondReader
 from verbteach.language.lexicon import Lexicon
 from verbteach.verbs.setting import Setting as Surroundings
 from verbteach.world.plan import Planner
@@ -24,12 +25,17 @@ class UnknownObjectError(LookupError):
 
 @dataclass(frozen=True)
 class Setting:
-    """A scene made ready: grounded once, with the planner that works on it."""
+    """A scene made ready: grounded once, with the planner that works on it.
+
+    With a ``second`` reader the robot asks before it acts on a command that the
+    two read differently.
+    """
 
     scene: Scene
     task: Task
     planner: Planner
     lexicon: Lexicon
+    second: SecondReader | None = None
 
     @cached_property
     def vocabulary(self) -> tuple[str, ...]:

@@ -124,7 +124,8 @@ class RobotState:
     scenes. ``spoken`` are the last clause's phrases with their objects, for
     pronouns, and ``referents`` those of this command's earlier clauses;
     ``clauses`` are the clauses still to come; ``suggested`` is a command the
-    robot has offered instead of one it could not read.
+    robot has offered instead of one it could not read, and ``offered`` its
+    clauses where they are the robot's own reading, which a second one disputes.
     """
 
     scene: str
@@ -137,6 +138,7 @@ class RobotState:
     referents: tuple[tuple[str, str], ...] = ()
     clauses: tuple[VerbFrame, ...] = ()
     suggested: str = ""
+    offered: tuple[VerbFrame, ...] = ()
     totals: Totals = field(default_factory=Totals)
 
     @cached_property
@@ -161,6 +163,8 @@ def state_to_json(state: RobotState) -> dict[str, Any]:
         "referents": [list(pair) for pair in state.referents],
         "clauses": [repr(clause) for clause in state.clauses],
         "suggested": state.suggested,
+        # Absent where nothing is disputed: digests are then as they were before there was this.
+        **({"offered": [repr(clause) for clause in state.offered]} if state.offered else {}),
         "totals": vars(state.totals),
         "episode": None if episode is None else _episode(episode),
     }

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.grounding import GroundingBelief
 from verbteach.dialogue.setting import Setting, UnknownObjectError
+from verbteach.language.agreement import agree
 from verbteach.language.anaphora import resolve
 from verbteach.language.answers import read_answer
 from verbteach.language.attachment import attach
@@ -25,11 +26,15 @@ _LONGEST_COMMAND = 1000
 
 @dataclass(frozen=True)
 class CommandReading:
-    """A command's clauses; where there are none, the problem and perhaps a command meant."""
+    """A command's clauses; where there are none, the problem and perhaps a command meant.
+
+    ``disputed``: there is a second reader, and it reads the command differently.
+    """
 
     frames: tuple[VerbFrame, ...]
     problem: str = ""
     suggestion: str = ""
+    disputed: bool = False
 
 
 @dataclass(frozen=True)
@@ -58,7 +63,17 @@ def read_command(draft: Draft, text: str) -> CommandReading:
     if not frames:
         why = explain_unread(text, setting.lexicon, setting.vocabulary)
         return CommandReading((), _UNREAD[why] if why else _UNREAD[Unread.NO_VERB])
-    return _verb_typo(draft, text, frames) or CommandReading(resolve(frames))
+    typo = _verb_typo(draft, text, frames)
+    return typo or CommandReading(resolve(frames), disputed=_is_disputed(setting, text, frames))
+
+
+def _is_disputed(setting: Setting, text: str, frames: tuple[VerbFrame, ...]) -> bool:
+    """Whether the second reader finds other verbs, roles or heads; finding nothing is no reading.
+
+    Compared before pronouns are resolved: the second reader leaves them as they are.
+    """
+    other = setting.second.read(text) if setting.second is not None else ()
+    return bool(other) and not agree(frames, other)
 
 
 def _verb_typo(draft: Draft, text: str, frames: tuple[VerbFrame, ...]) -> CommandReading | None:
@@ -96,9 +111,11 @@ def read_reply(text: str) -> Reply:
 def ground_phrases(draft: Draft, frame: VerbFrame) -> tuple[GroundingBelief, frozenset[str]]:
     """The grounding belief at the start, and the phrases whose words had to be guessed.
 
-    What a phrase has meant before speaks for it (section 4.3: *Grd* is
-    initialised with existing knowledge). In one command a phrase keeps the
-    meaning that it had in an earlier clause.
+    The words alone weigh here, without the contents that ``own.ground`` passes
+    on: in the bundled lessons those make clear phrases unclear. What a phrase
+    has meant before speaks for it (section 4.3: *Grd* is initialised with
+    existing knowledge). In one command a phrase keeps the meaning that it had
+    in an earlier clause.
     """
     looks = _looks(draft)
     weights: dict[str, Mapping[str, float]] = {}

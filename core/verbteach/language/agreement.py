@@ -9,11 +9,18 @@ from typing import Protocol
 from verbteach.language.frames import NounPhrase, VerbFrame
 
 
+class NoSecondReaderError(RuntimeError):
+    """A second reader is wanted and there is none, or it fails; the message says what to do."""
+
+
 class SecondReader(Protocol):
     """Another way to read commands, such as a statistical parser."""
 
     def read(self, text: str) -> tuple[VerbFrame, ...]:
-        """The frames of ``text``; the same for the same text."""
+        """The frames of ``text``; the same for the same text.
+
+        Raises ``NoSecondReaderError`` where it cannot read at all.
+        """
         ...
 
 

@@ -13,6 +13,7 @@ from importlib.util import find_spec
 from threading import Thread
 from typing import Any
 
+from verbteach.language.agreement import NoSecondReaderError
 from verbteach.language.frames import VerbFrame
 from verbteach_scenarios.nlp.dependencies import Word, frames_of
 
@@ -21,13 +22,18 @@ _LONGEST = 2000
 """Letters: no command is longer, and the parser's memory grows with length."""
 
 
-class NoSecondOpinionError(RuntimeError):
+class NoSecondOpinionError(NoSecondReaderError):
     """The parser is not installed or could not be loaded; the message says which."""
 
 
 def is_installed() -> bool:
     """Whether the extra ``verbteach[nlp]`` is there; loads nothing."""
     return find_spec("spacy") is not None and find_spec(MODEL) is not None
+
+
+def if_installed() -> SecondOpinion | None:
+    """A second opinion where the extra is there; nothing is loaded until it reads."""
+    return SecondOpinion() if is_installed() else None
 
 
 class SecondOpinion:

@@ -44,19 +44,21 @@ def replay(
 
 
 def _tell(session: Path, to: int | None, scenes: Path | None, speed: float) -> None:
+    from verbteach_scenarios.nlp.second_opinion import if_installed
     from verbteach_scenarios.settings import make_settings
     from verbteach_sessions.replay import replay as frames
     from verbteach_tui.playback import told
 
-    for line in told(frames(session, make_settings(scenes), to), speed, time.sleep):
+    for line in told(frames(session, make_settings(scenes, if_installed()), to), speed, time.sleep):
         tell(line)
 
 
 def _verify(session: Path, to: int | None, scenes: Path | None, as_json: bool, asked: bool) -> None:
+    from verbteach_scenarios.nlp.second_opinion import if_installed
     from verbteach_scenarios.settings import make_settings
     from verbteach_sessions.replay import verify
 
-    found = verify(session, make_settings(scenes), to)
+    found = verify(session, make_settings(scenes, if_installed()), to)
     for warning in found.warnings:
         note(f"warning: {warning}")
     if as_json:

@@ -77,10 +77,11 @@ def validate(
 
     A torn last line is a warning; anything else that is wrong gives status 1.
     """
+    from verbteach_scenarios.nlp.second_opinion import if_installed
     from verbteach_scenarios.settings import make_settings
     from verbteach_sessions.validate import validate as examine
 
-    paths, settings = _records(path), make_settings(scenes)
+    paths, settings = _records(path), make_settings(scenes, if_installed())
     found: list[tuple[Path, Validation]] = []
     with progress() as show:
         for done, one in enumerate(paths, start=1):

@@ -60,6 +60,13 @@ def teach(
     noise: NoiseOption = None,
     noise_reading: NoiseReading = None,
     policy: PolicyOption = None,
+    second_opinion: Annotated[
+        bool | None,
+        typer.Option(
+            "--second-opinion/--no-second-opinion",
+            help="Ask where spaCy (verbteach[nlp]) reads a command differently (no).",
+        ),
+    ] = None,
     source: Annotated[
         Path | None,
         typer.Option("--from", metavar="SESSION", help="Start with this session's verbs."),
@@ -89,6 +96,7 @@ def teach(
             "--noise": noise,
             "--noise-reading": noise_reading,
             "--policy": policy,
+            "--second-opinion": second_opinion,
             "--from": source,
             "--participant": participant,
             "--seed": seed,
@@ -109,6 +117,7 @@ def teach(
             noise or default.noise,
             noise_reading or default.noise_reading,
             default.seed if seed is None else seed,
+            default.second_opinion if second_opinion is None else second_opinion,
         ),
         participant=participant,
         before=source,
