@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
+from hypothesis import settings
 from hypothesis import strategies as st
 
 from tests.verbs.toy import NaivePlanner, Toy
@@ -12,9 +13,12 @@ from verbteach.verbs.learning import derive
 from verbteach.verbs.space import Demonstration, HypothesisSpace
 from verbteach.world.plan import Action
 
-TOY = Toy(("Box_1", "Box_2"), ("Table_1", "Table_2"), ("Lamp_1", "Lamp_2"))
+TOY = Toy(("Box_1", "Box_2"), ("Table_1", "Table_2"), ("Lamp_1",))
 PLANNER = NaivePlanner(TOY)
 """Shared, so that its answers are remembered between examples."""
+
+FEW = settings(max_examples=25)
+"""For properties of several demonstrations, each of which takes plans to make."""
 
 Taught: TypeAlias = tuple[Demonstration, Shown]
 

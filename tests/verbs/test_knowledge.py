@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.verbs.strategies import spaces
+from tests.verbs.strategies import FEW, spaces
 from verbteach.verbs.knowledge import FrameSpace, VerbKnowledge
 from verbteach.verbs.space import FrameKey, HypothesisSpace
 from verbteach.verbs.view import diff, graph, graphs
@@ -24,6 +24,7 @@ def frequencies(knowledge: VerbKnowledge) -> dict[str, int]:
     }
 
 
+@FEW
 @given(several, st.data())
 def test_the_order_of_learning_leaves_no_trace(
     taught: list[HypothesisSpace], data: st.DataObject
@@ -35,6 +36,7 @@ def test_the_order_of_learning_leaves_no_trace(
     assert [f.nodes for f in one.frames.values()] == [f.nodes for f in other.frames.values()]
 
 
+@FEW
 @given(several)
 def test_one_by_one_is_all_at_once(taught: list[HypothesisSpace]) -> None:
     knowledge = VerbKnowledge()
@@ -48,6 +50,7 @@ def test_one_by_one_is_all_at_once(taught: list[HypothesisSpace]) -> None:
         assert list(knowledge.frames[key].nodes.items()) == list(frame.nodes.items())
 
 
+@FEW
 @given(several, several)
 def test_merging_is_associative_over_parts(
     first: list[HypothesisSpace], second: list[HypothesisSpace]
@@ -56,6 +59,7 @@ def test_merging_is_associative_over_parts(
     assert VerbKnowledge.merged(parts) == VerbKnowledge.merged([*first, *second])
 
 
+@FEW
 @given(several)
 def test_frequencies_are_counts_over_demonstrations(taught: list[HypothesisSpace]) -> None:
     expected: dict[str, int] = {}
@@ -72,6 +76,7 @@ def test_frequencies_are_counts_over_demonstrations(taught: list[HypothesisSpace
             assert marked == {space.demonstration for space in frame.spaces}
 
 
+@FEW
 @given(several)
 def test_json_rebuilds_the_same_knowledge(taught: list[HypothesisSpace]) -> None:
     knowledge = VerbKnowledge.merged(taught)
@@ -81,6 +86,7 @@ def test_json_rebuilds_the_same_knowledge(taught: list[HypothesisSpace]) -> None
     assert [f.nodes for f in again.frames.values()] == [f.nodes for f in knowledge.frames.values()]
 
 
+@FEW
 @given(several, spaces())
 def test_the_old_value_stays_and_taking_away_restores_it(
     taught: list[HypothesisSpace], one: HypothesisSpace
@@ -102,12 +108,14 @@ def test_taking_away_what_is_not_there_is_refused() -> None:
         VerbKnowledge.from_json({})
 
 
+@FEW
 @given(spaces())
 def test_forgetting_the_unknown_is_refused(space: HypothesisSpace) -> None:
     with pytest.raises(ValueError, match="nothing is known"):
         VerbKnowledge().without(space)
 
 
+@FEW
 @given(several)
 def test_links_go_one_fluent_down_and_back_up(taught: list[HypothesisSpace]) -> None:
     for frame in VerbKnowledge.merged(taught).frames.values():
@@ -117,6 +125,7 @@ def test_links_go_one_fluent_down_and_back_up(taught: list[HypothesisSpace]) -> 
                 assert key in frame.specific[lower]
 
 
+@FEW
 @given(several)
 def test_the_view_shows_every_node_once_by_level(taught: list[HypothesisSpace]) -> None:
     knowledge = VerbKnowledge.merged(taught)
@@ -132,6 +141,7 @@ def test_the_view_shows_every_node_once_by_level(taught: list[HypothesisSpace]) 
         assert {i for level in view.levels for n in level for i in n.demonstrations} == known
 
 
+@FEW
 @given(several, spaces())
 def test_the_difference_names_what_one_demonstration_did(
     taught: list[HypothesisSpace], one: HypothesisSpace

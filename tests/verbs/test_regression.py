@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.verbs.strategies import PLANNER, TOY, spaces
+from tests.verbs.strategies import FEW, PLANNER, TOY, spaces
 from verbteach.verbs.application import Evidence, Situation, evidence, uniform
 from verbteach.verbs.criteria import MOST_FREQUENT
 from verbteach.verbs.features import NAMES, Vote, votes
@@ -33,6 +33,7 @@ def situations(found: list[HypothesisSpace]) -> Situation:
     return Situation(key, ("the box",) * key.arity, belief, TOY.start, TOY.setting)
 
 
+@FEW
 @given(st.lists(spaces(), min_size=1, max_size=4))
 def test_every_demonstration_votes_with_features_between_zero_and_one(
     found: list[HypothesisSpace],
@@ -47,12 +48,14 @@ def test_every_demonstration_votes_with_features_between_zero_and_one(
             assert 0.0 < vote.probability <= 1.0 + 1e-9
 
 
+@FEW
 @given(st.lists(spaces(), min_size=1, max_size=4))
 def test_without_weights_it_counts_as_most_frequent_does(found: list[HypothesisSpace]) -> None:
     for one in evidence(VerbKnowledge.merged(found), situations(found)):
         assert Regression().score(one) == pytest.approx(MOST_FREQUENT.score(one))
 
 
+@FEW
 @given(st.lists(spaces(), min_size=2, max_size=4))
 def test_votes_hang_on_no_other_demonstration(found: list[HypothesisSpace]) -> None:
     """Leaving a demonstration out of knowledge is leaving out its votes."""
@@ -113,6 +116,7 @@ def test_weights_travel_as_json() -> None:
         Regression.from_json(short)
 
 
+@FEW
 @given(st.lists(spaces(), min_size=1, max_size=3))
 def test_it_selects_as_any_criterion_does(found: list[HypothesisSpace]) -> None:
     parameters = SelectionParameters(Regression((0.5,) * len(NAMES)))

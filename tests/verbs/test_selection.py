@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.verbs.strategies import learner, spaces
+from tests.verbs.strategies import FEW, learner, spaces
 from tests.verbs.toy import NaivePlanner, Toy, lit, on
 from verbteach.verbs.application import (
     ApplicationParameters,
@@ -183,6 +183,7 @@ def test_groundings_are_cut_to_the_likeliest_and_normalised() -> None:
     assert uniform((("a", "b"), ("c",))) == ((("a", "c"), 0.5), (("b", "c"), 0.5))
 
 
+@FEW
 @given(st.lists(spaces(), min_size=1, max_size=5), st.data())
 def test_the_choice_does_not_hang_on_the_order_of_learning(
     found: list[HypothesisSpace], data: st.DataObject
