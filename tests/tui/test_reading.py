@@ -17,13 +17,12 @@ from verbteach_tui.keyguard import KeyGuard
 from verbteach_tui.keys import ALSO, ANSWERS, ANYTIME, answer_keys, word_of
 from verbteach_tui.reading import Reader
 from verbteach_tui.views.labels import Labels
-from verbteach_tui.views.steps import StepMenu
+from verbteach_tui.views.steps import StepBook, StepMenu
 from verbteach_tui.views.wording import Wording
 
 SETTING = SETTINGS("kitchen-1")
-MENU = StepMenu(
-    SETTING.task, SETTING.scene.initial, Wording(Labels.of(SETTING.scene), SETTING.lexicon)
-)
+BOOK = StepBook(SETTING.task, Wording(Labels.of(SETTING.scene), SETTING.lexicon))
+MENU = StepMenu(BOOK, SETTING.scene.initial)
 GO = Action("moveto", ("Fridge_1",))
 
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import partial
-from typing import Any, ClassVar
+from importlib import import_module
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from textual.app import App, SystemCommand
 from textual.binding import Binding, BindingType
 from textual.command import CommandPalette
 from textual.screen import Screen
 
-from verbteach.world.scene import Scene
 from verbteach_tui.help_text import help_about, keys_of
 from verbteach_tui.messages import SessionLeft, SessionNotOpened, SessionOpened
 from verbteach_tui.options import AppOptions, OpenHome, OpenNew, OpenSession
@@ -19,9 +19,15 @@ from verbteach_tui.screens.failure import NOT_OPENED, FailureScreen
 from verbteach_tui.screens.help import HelpScreen
 from verbteach_tui.screens.home import HomeScreen
 from verbteach_tui.screens.opening import OpeningScreen
-from verbteach_tui.screens.teach import TeachScreen
-from verbteach_tui.teaching import Teaching
+from verbteach_tui.screens.room import RoomScreen
 from verbteach_tui.themes import DEFAULT, THEMES, VARIABLES
+
+if TYPE_CHECKING:
+    from verbteach.world.scene import Scene
+    from verbteach_tui.teaching import Teaching
+
+WARMING = 0.5
+"""Seconds after which the home screen begins to load what teaching needs, behind the scenes."""
 
 
 def run_app(options: AppOptions) -> int:
@@ -76,8 +82,14 @@ class VerbteachApp(App[None]):
         opening = self.options.opening
         if isinstance(opening, OpenHome):
             self.push_screen(HomeScreen(self.options.scenes, self.load, self.options.sessions))
+            self.set_timer(WARMING, self._warm_up)
         else:
             self.open_session(opening)
+
+    def _warm_up(self) -> None:
+        """Load what the teaching room needs while the person still chooses one."""
+        room = "verbteach_tui.screens.teach"
+        self.run_worker(partial(import_module, room), thread=True, exit_on_error=False)
 
     def load(self, scene: str) -> Scene:
         """A scene to look at. Runs in a worker thread, and may raise."""
@@ -105,6 +117,8 @@ class VerbteachApp(App[None]):
                 session = self.options.create(opening.scene)
             else:
                 session = self.options.resume(opening.path)
+            from verbteach_tui.teaching import Teaching
+
             teaching = Teaching(session)
         except Exception as error:
             self.post_message(SessionNotOpened(error))
@@ -114,6 +128,8 @@ class VerbteachApp(App[None]):
 
     def on_session_opened(self, message: SessionOpened) -> None:
         """Enter the teaching room."""
+        from verbteach_tui.screens.teach import TeachScreen
+
         room = TeachScreen(message.teaching, self.options.speed, self.options.scenes(), self.load)
         self.switch_screen(room)
 
@@ -143,7 +159,7 @@ class VerbteachApp(App[None]):
     async def action_quit(self) -> None:
         """Leave the app; a session that is open records that the person left."""
         for screen in self.screen_stack:
-            if isinstance(screen, TeachScreen) and screen.leave(self.exit):
+            if isinstance(screen, RoomScreen) and screen.leave(self.exit):
                 return
         self.exit()
 
@@ -160,7 +176,7 @@ class VerbteachApp(App[None]):
 
     def get_system_commands(self, screen: Screen[Any]) -> Iterable[SystemCommand]:
         """Every action there is at the moment, for the palette."""
-        if isinstance(screen, TeachScreen):
+        if isinstance(screen, RoomScreen):
             for title, about, action in screen.palette():
                 yield SystemCommand(title, about, action)
         yield SystemCommand("Theme", "Other colours", self.action_change_theme)

@@ -5,9 +5,7 @@ from __future__ import annotations
 from textual.dom import DOMNode
 from textual.screen import Screen
 
-from verbteach_tui.keys import ANSWERS, ANYTIME
-from verbteach_tui.prompts import ABOUT
-from verbteach_tui.screens.teach import TeachScreen
+from verbteach_tui.screens.room import RoomScreen
 
 _UNSAID = frozenset(
     {
@@ -23,8 +21,8 @@ _PLAIN_HELP = "The arrow keys choose, Enter takes, Tab goes on to the next panel
 def help_about(node: DOMNode) -> str:
     """The help of ``node`` or of the nearest thing around it that has some."""
     for around in node.ancestors_with_self:
-        if isinstance(around, TeachScreen):
-            return ABOUT[around.snapshot.phase]
+        if isinstance(around, RoomScreen):
+            return around.about
         text = getattr(around, "HELP", None)
         if isinstance(text, str) and text:
             return text
@@ -34,9 +32,8 @@ def help_about(node: DOMNode) -> str:
 def keys_of(screen: Screen[object]) -> list[tuple[str, str]]:
     """The keys that work on ``screen``, with what they do."""
     rows: list[tuple[str, str]] = []
-    if isinstance(screen, TeachScreen):
-        answers = (*ANSWERS[screen.snapshot.phase], *ANYTIME)
-        rows += [(key.key, f"{key.label} (in words: {key.word})") for key in answers]
+    if isinstance(screen, RoomScreen):
+        rows += screen.single_keys()
         rows.append(("Tab or /", "type instead; Tab or Escape leaves the line"))
     for active in screen.active_bindings.values():
         binding = active.binding

@@ -16,7 +16,8 @@ from verbteach_sessions.script import LineSyntaxError, ScriptAct
 from verbteach_sessions.session import Session
 from verbteach_sessions.session_acts import Flag, Note, Quit, Redo, Repeat, Undo, Why
 from verbteach_tui import plain_words
-from verbteach_tui.snapshot import Snapshot, take
+from verbteach_tui.observer import Observer
+from verbteach_tui.snapshot import Snapshot
 from verbteach_tui.spoken import price_text
 from verbteach_tui.teaching import REFUSALS
 from verbteach_tui.views.dialogue import SPEAKERS
@@ -42,7 +43,8 @@ class Talk:
 
     def __init__(self, session: Session) -> None:
         self._session = session
-        self._snapshot = take(session)
+        self._observer = Observer(session)
+        self._snapshot = self._observer.look()
         self._picking: _Picking | None = None
 
     @property
@@ -86,7 +88,7 @@ class Talk:
         except REFUSALS as error:
             raise MisfitError(str(error.args[0] if error.args else error)) from error
         self._picking = None
-        self._snapshot = take(self._session, self._snapshot)
+        self._snapshot = self._observer.look()
         return self._heard(act)
 
     def _heard(self, act: ScriptAct) -> list[str]:

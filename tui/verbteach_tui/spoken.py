@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from verbteach.dialogue import acts
 from verbteach.world.fluents import FluentSyntaxError, Literal
 from verbteach.world.plan import Action
@@ -14,19 +16,34 @@ _TABLE = frozenset({acts.SelectHypo.name, acts.IncludeFluent.name})
 """Acts of the paper's Table 2 that are no questions, whose names are shown all the same."""
 
 
-def lines_of(session: Session, wording: Wording) -> tuple[DialogueLine, ...]:
-    """What was said and still holds.
+class Sayings:
+    """Words what was said; each line in the words of the scene that it was said in."""
 
-    While something is shown, what the robot saw stands only after the last
-    step: it repeats the whole change so far each time.
-    """
-    lines = session.transcript()
-    last = max((line.seq for line in lines if line.speaker == ROBOT), default=0)
-    return tuple(
-        _line(line, wording)
-        for line in lines
-        if line.kind != acts.ObserveStep.name or line.seq == last
-    )
+    def __init__(self, wording: Callable[[str], Wording]) -> None:
+        self._wording = wording
+        self._known: dict[tuple[str, Line], DialogueLine] = {}
+
+    def lines_of(self, session: Session) -> tuple[DialogueLine, ...]:
+        """What was said and still holds.
+
+        While something is shown, what the robot saw stands only after the last
+        step: it repeats the whole change so far each time.
+        """
+        lines = session.transcript()
+        last = max((line.seq for line in lines if line.speaker == ROBOT), default=0)
+        scene, shown = session.header.scene, []
+        for line in lines:
+            if line.kind == acts.GoToScene.name:
+                scene = line.text
+            if line.kind != acts.ObserveStep.name or line.seq == last:
+                shown.append(self._worded(scene, line))
+        return tuple(shown)
+
+    def _worded(self, scene: str, line: Line) -> DialogueLine:
+        key = (scene, line)
+        if key not in self._known:
+            self._known[key] = _line(line, self._wording(scene))
+        return self._known[key]
 
 
 def _line(line: Line, wording: Wording) -> DialogueLine:

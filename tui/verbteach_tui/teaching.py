@@ -12,7 +12,8 @@ from verbteach_sessions.errors import CannotUndoError, SessionEndedError, TooLon
 from verbteach_sessions.recorder import MISFITS
 from verbteach_sessions.script import ScriptAct
 from verbteach_sessions.session import Session
-from verbteach_tui.snapshot import Snapshot, take
+from verbteach_tui.observer import Observer
+from verbteach_tui.snapshot import Snapshot
 
 REFUSALS = (*MISFITS, CannotUndoError, SessionEndedError, TooLongError)
 """What the person said does not fit; nothing has changed, and the reason is theirs to read."""
@@ -25,7 +26,8 @@ class Teaching:
         self._session = session
         self._lock = threading.Lock()
         self._shown_at: float | None = None
-        self.snapshot = take(session)
+        self._observer = Observer(session)
+        self.snapshot = self._observer.look()
 
     @property
     def session(self) -> Session:
@@ -45,7 +47,7 @@ class Teaching:
         """Let the person act. Raises one of ``REFUSALS``, a ``StorageError``, or what is a bug."""
         with self._lock:
             self._session.perform(act, raw=raw, via=via, shown_at=self._shown_at)
-            self.snapshot = take(self._session, self.snapshot)
+            self.snapshot = self._observer.look()
             return self.snapshot
 
     def close(self) -> None:

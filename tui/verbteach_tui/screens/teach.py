@@ -24,7 +24,7 @@ from verbteach_tui.messages import (
     WordSaid,
     WorkFailed,
 )
-from verbteach_tui.prompts import PROMPTS, bar_of
+from verbteach_tui.prompts import ABOUT, PROMPTS, bar_of
 from verbteach_tui.screens.answering import AnsweringScreen
 from verbteach_tui.screens.failure import FailureScreen
 from verbteach_tui.screens.scenes import ScenePicker
@@ -276,6 +276,16 @@ class TeachScreen(AnsweringScreen):
         self._after_leaving = then
         self.say(Quit(), "quit", "key")
         return True
+
+    @property
+    def about(self) -> str:
+        """What is going on, for the help."""
+        return ABOUT[self.snapshot.phase]
+
+    def single_keys(self) -> Iterable[tuple[str, str]]:
+        """The keys that answer now, each with what it says."""
+        for key in (*ANSWERS[self.snapshot.phase], *ANYTIME):
+            yield key.key, f"{key.label} (in words: {key.word})"
 
     def palette(self) -> Iterable[tuple[str, str, Callable[[], object]]]:
         """Every action of this screen with what it does, for the palette."""

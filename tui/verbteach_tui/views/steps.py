@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from verbteach.world.fluents import State
 from verbteach.world.plan import Action
-from verbteach.world.task import Task
+from verbteach.world.task import GroundAction, Task
 from verbteach_tui.views.wording import Wording
 
 
@@ -21,6 +21,39 @@ class Choice(NamedTuple):
     possible: bool
 
 
+class StepBook:
+    """The actions of a task with their words, whatever the state."""
+
+    def __init__(self, task: Task, wording: Wording) -> None:
+        self.task, self.wording = task, wording
+
+    @cached_property
+    def by_name(self) -> Mapping[str, Sequence[GroundAction]]:
+        """The actions by name, in the domain's order."""
+        grouped: dict[str, list[GroundAction]] = {}
+        for ground in self.task.actions:
+            grouped.setdefault(ground.action.name, []).append(ground)
+        return grouped
+
+    @cached_property
+    def found(self) -> Mapping[str, Action]:
+        """The actions by each way of writing them, the first one where two read the same."""
+        found: dict[str, Action] = {}
+        for ground, texts in self.typed:
+            for text in texts:
+                found.setdefault(_folded(text), ground.action)
+        return found
+
+    @cached_property
+    def typed(self) -> Sequence[tuple[GroundAction, tuple[str, ...]]]:
+        """Every action with the ways of writing it: short, in words, in the domain's words."""
+        return [(ground, self._variants(ground.action)) for ground in self.task.actions]
+
+    def _variants(self, action: Action) -> tuple[str, ...]:
+        words = self.wording.action(action)
+        return words.replace(" the ", " "), words, str(action)
+
+
 class StepMenu:
     """The actions of a task in one state.
 
@@ -29,48 +62,47 @@ class StepMenu:
     possible is still offered: trying it is how a person learns why not.
     """
 
-    def __init__(self, task: Task, state: State, wording: Wording) -> None:
-        self._task, self._wording = task, wording
-        self._bits = task.encode(state)
+    def __init__(self, book: StepBook, state: State) -> None:
+        self._book = book
+        self._bits = book.task.encode(state)
 
     def prepare(self) -> None:
         """Work out now, in whatever thread this is, what the screen will ask for."""
         assert self.names is not None
-        assert self._found is not None
-        assert self._typed is not None
+        assert self._book.found is not None
 
     @cached_property
     def names(self) -> tuple[Choice, ...]:
         """The actions' names in the domain's order, the possible ones first."""
-        possible = {action.name for action in self._now}
-        fitting = dict.fromkeys(ground.action.name for ground in self._task.actions)
-        choices = [Choice(n, self._wording.phrase(n, ()), n in possible) for n in fitting]
-        return _possible_first(choices)
+        return _possible_first(
+            Choice(name, self._book.wording.phrase(name, ()), any(map(self._possible, actions)))
+            for name, actions in self._book.by_name.items()
+        )
 
     def objects(self, name: str, chosen: Sequence[str] = ()) -> tuple[Choice, ...]:
         """What fits in the place after ``chosen``; empty where the action is complete."""
         place, prefix = len(chosen), tuple(chosen)
         fitting: dict[str, bool] = {}
-        for ground in self._by_name.get(name, ()):
-            args = ground.args
+        for ground in self._book.by_name.get(name, ()):
+            args = ground.action.args
             if len(args) > place and args[:place] == prefix:
-                fitting[args[place]] = fitting.get(args[place], False) or ground in self._now
-        labels = self._wording.labels
+                fitting[args[place]] = fitting.get(args[place], False) or self._possible(ground)
+        labels = self._book.wording.labels
         choices = (Choice(key, labels[key], now) for key, now in fitting.items())
         return _possible_first(_by_label(choices))
 
     def prompt(self, name: str, chosen: Sequence[str] = ()) -> str:
         """The action as far as it is chosen: "put the red mug on …"."""
-        return self._wording.phrase(name, [f"the {self._wording.labels[key]}" for key in chosen])
+        wording = self._book.wording
+        return wording.phrase(name, [f"the {wording.labels[key]}" for key in chosen])
 
     def find(self, text: str) -> Action | None:
         """The action that ``text`` names: in the domain's words, or as the menu reads."""
-        return self._found.get(_folded(text))
+        return self._book.found.get(_folded(text))
 
     def complete(self, text: str) -> str | None:
         """The first action that begins with ``text``, the possible ones first; ``None`` if none."""
-        found = self._beginning(text)
-        first = next(found, None)
+        first = next(self._beginning(text), None)
         return text + first[len(text) :] if first else None
 
     def completions(self, text: str, most: int = 40) -> list[str]:
@@ -79,37 +111,19 @@ class StepMenu:
 
     def _beginning(self, text: str) -> Iterator[str]:
         start = text.casefold()
-        if start.strip():
-            yield from (typed for typed in self._typed if typed.casefold().startswith(start))
+        if not start.strip():
+            return
+        later = []
+        for ground, texts in self._book.typed:
+            typed = next((t for t in texts if t.casefold().startswith(start)), None)
+            if typed is not None and self._possible(ground):
+                yield typed
+            elif typed is not None:
+                later.append(typed)
+        yield from later
 
-    @cached_property
-    def _now(self) -> frozenset[Action]:
-        return frozenset(g.action for g in self._task.actions if g.applicable(self._bits))
-
-    @cached_property
-    def _by_name(self) -> Mapping[str, list[Action]]:
-        grouped: dict[str, list[Action]] = {}
-        for ground in self._task.actions:
-            grouped.setdefault(ground.action.name, []).append(ground.action)
-        return grouped
-
-    @cached_property
-    def _typed(self) -> tuple[str, ...]:
-        """Every possible action, then every other one, as it reads."""
-        actions = [ground.action for ground in self._task.actions]
-        order = sorted(actions, key=lambda action: action not in self._now)
-        return tuple(text for action in order for text in self._variants(action))
-
-    def _variants(self, action: Action) -> tuple[str, str, str]:
-        words = self._wording.action(action)
-        return words.replace(" the ", " "), words, str(action)
-
-    @cached_property
-    def _found(self) -> Mapping[str, Action]:
-        found: dict[str, Action] = {}
-        for ground in self._task.actions:
-            found.setdefault(_folded(self._wording.action(ground.action)), ground.action)
-        return found | {_folded(str(ground.action)): ground.action for ground in self._task.actions}
+    def _possible(self, ground: GroundAction) -> bool:
+        return ground.applicable(self._bits)
 
 
 def _possible_first(choices: Iterable[Choice]) -> tuple[Choice, ...]:

@@ -72,7 +72,8 @@ class DemonstrationBuilder(Vertical):
         ``problem`` is why what was tried last cannot be done.
         """
         self._menu = menu
-        _fill(self.query_one("#actions", OptionList), menu.names)
+        with self.prevent(OptionList.OptionHighlighted):  # what fits it is offered below
+            _fill(self.query_one("#actions", OptionList), menu.names)
         self._restart()
         self.query_one("#so-far", RowsView).show(
             lambda width: _so_far(steps, change, problem, width), at_end=True

@@ -39,7 +39,7 @@ class Foot(RowsView, can_focus=False):
                 name = self.app.get_key_display(binding)
                 keys.setdefault(binding.action, (binding.key, f"{name} {binding.description}"))
         order = sorted(keys.values(), key=lambda key: _rank(key[0], self.FIRST))
-        self.show(lambda width: [_row(order, width)])
+        self.show_once(order, lambda width: [_row(order, width)])
 
 
 def _rank(key: str, first: tuple[str, ...]) -> int:

@@ -26,7 +26,7 @@ class KeyBar(RowsView, can_focus=False):
     def show_keys(self, lead: str, keys: Sequence[Key], extra: Sequence[Key] = ()) -> None:
         """Show what is wanted (``lead``), the keys that answer it, and as many more as fit."""
         self._lead, self._keys, self._extra = lead, tuple(keys), tuple(extra)
-        self.show(self._drawn)
+        self.show_once((lead, self._keys, self._extra), self._drawn)
 
     def _drawn(self, width: int) -> Sequence[Row]:
         rows = _rows(self._lead, self._keys, width)

@@ -18,4 +18,4 @@ class MindView(RowsView):
 
     def show_mind(self, mind: Mind) -> None:
         """Show ``mind``."""
-        self.show(lambda width: mind_rows(mind, width))
+        self.show_once(mind, lambda width: mind_rows(mind, width))

@@ -46,6 +46,13 @@ class RowsView(ScrollView, can_focus=True):
         self._drawn_width = 0
         self._at_end = False
         self._variables: Mapping[str, str] = {}
+        self._content: object = None
+
+    def show_once(self, content: object, draw: Draw) -> None:
+        """Show what ``draw`` draws of ``content``, unless that is what is shown already."""
+        if content != self._content:
+            self._content = content
+            self.show(draw)
 
     def show(self, draw: Draw, *, at_end: bool = False) -> None:
         """Show what ``draw`` draws; ``at_end`` keeps the last row in view."""

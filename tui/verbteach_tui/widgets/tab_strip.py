@@ -18,7 +18,7 @@ class TabStrip(RowsView, can_focus=False):
 
     def show_tabs(self, tabs: Sequence[tuple[str, str, str]], current: str) -> None:
         """Show ``tabs`` as (word, key, title); ``current`` is the word of the one in view."""
-        self.show(lambda width: [_row(tabs, current, width)])
+        self.show_once((tabs, current), lambda width: [_row(tabs, current, width)])
 
     def on_target_picked(self, message: TargetPicked) -> None:
         """A click on a tab chooses it."""

@@ -19,7 +19,7 @@ class TitleBar(RowsView, can_focus=False):
 
     def show_title(self, title: str, figures: Sequence[str] = ()) -> None:
         """Show ``title``, and as many of ``figures`` as there is room for."""
-        self.show(lambda width: [_row(title, figures, width)])
+        self.show_once((title, tuple(figures)), lambda width: [_row(title, figures, width)])
 
 
 def _row(title: str, figures: Sequence[str], width: int) -> Row:
