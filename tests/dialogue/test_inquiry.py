@@ -113,7 +113,8 @@ def test_a_goal_answer_is_kept_through_one_about_the_environment() -> None:
 
 def test_doubtful_fluents_are_asked_about_whether_seen_or_not() -> None:
     doubtful = Belief.of({on("b1", "t1"): 0.6, on("b2", "t1"): 0.4})
-    asked = {act.fluent for act in acts(command(doubtful)) if isinstance(act, EnvPredYnq)}
+    state = command(doubtful, parameters=InquiryParameters(environment_questions=2))
+    asked = {act.fluent for act in acts(state) if isinstance(act, EnvPredYnq)}
     assert asked == {on("b1", "t1"), on("b2", "t1")}
     assert not any(isinstance(act, EnvPredYnq) for act in acts(command()))
 

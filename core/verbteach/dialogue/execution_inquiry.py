@@ -157,8 +157,8 @@ class ExecutionInquiry:
         return 0.0
 
     def _environment_questions(self) -> Iterator[tuple[RobotAct, dict[str, float]]]:
-        """Doubtful fluents about the things that the best goal or a likely one speaks of."""
-        floor = self.parameters.doubt
+        """Doubtful fluents about the things that what is meant probably speaks of."""
+        floor = self.parameters.environment_doubt
         unsure = [(f, c) for f, c in self.belief.items() if floor < c < 1.0 - floor]
         wanted = self._relevance() if unsure else {}
         found = []

@@ -52,16 +52,18 @@ class InquiryParameters:
 
     ``goal_questions`` and ``environment_questions`` in execution,
     ``change_questions`` in learning, ``object_questions`` for each noun
-    phrase. Literals less doubtful than ``doubt`` (the lesser of p and 1 - p)
-    are never asked about. ``cap`` ends the questions of a phase.
+    phrase. Fluents less doubtful than ``environment_doubt`` and literals less
+    doubtful than ``doubt`` (the lesser of p and 1 - p) are never asked about.
+    ``cap`` ends the questions of a phase.
     ``goal_relevance`` adds the act that the paper's Table 2 lacks.
     """
 
     goal_questions: int = 5
-    environment_questions: int = 2
+    environment_questions: int = 1
     change_questions: int = 4
     object_questions: int = 1
     doubt: float = 0.02
+    environment_doubt: float = 0.3
     cap: int = 12
     goal_relevance: bool = False
 

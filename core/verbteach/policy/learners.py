@@ -176,7 +176,7 @@ def lspi(
     log: Sequence[Step],
     size: int,
     gamma: float = GAMMA,
-    ridge: float = 1.0,
+    ridge: float = 0.1,
     rounds: int = 20,
     situations: int = 0,
 ) -> Floats:
