@@ -21,7 +21,7 @@ OPTIONS: Mapping[str, str] = {
     "sessions list": "--json",
     "sessions show": "--json",
     "sessions validate": "--json",
-    "evaluate": "--policy --noise --noise-reading --grounding --from --data --test-data --runs"
+    "evaluate": "--policy --noise --noise-reading --grounding --data --test-data --runs"
     " --criterion --objects --json",
     "benchmark check": "--json",
     "scenes list": "--scenes --json",
@@ -50,7 +50,11 @@ def commands() -> Iterator[tuple[str, Any]]:
 
 def options_of(command: Any) -> set[str]:
     """All spellings of a command's options."""
-    spellings = (spelling for parameter in command.params for spelling in parameter.opts)
+    spellings = {
+        spelling
+        for parameter in command.params
+        for spelling in (*parameter.opts, *parameter.secondary_opts)
+    }
     return {spelling for spelling in spellings if spelling.startswith("-")}
 
 

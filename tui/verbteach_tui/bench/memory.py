@@ -48,16 +48,16 @@ async def run(folder: Path, turns: int) -> float:
     order = seeded_order(load_lessons(), turns, 1)
     teacher = SimulatedTeacher(order, beginning.setting)
     app = VerbteachApp(app_options(beginning, OpenNew(order[0].scene), speed=0.0))
-    async with app.run_test(size=SIZE) as pilot:
+    async with app.run_test(size=SIZE):
         for _ in range(turns):
             while not isinstance(app.screen, SpeakingScreen) or app.screen.thinking:
-                await pilot.pause(PATIENCE)
+                await asyncio.sleep(PATIENCE)
             session = app.screen.teaching.session
             act = teacher.reply(session.turn, session.robot.state)
             if act is None:
                 break
             app.screen.say(act, "", "simulated")
-            await pilot.pause()
+            await asyncio.sleep(PATIENCE)
         held = resident_mb()
     app.close_sessions()
     return held

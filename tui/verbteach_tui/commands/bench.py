@@ -28,7 +28,7 @@ def bench(
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Measure speed and memory of this installation, which takes a minute or two."""
+    """Measure speed and memory of this installation, which takes a few minutes."""
     with progress() as show, TemporaryDirectory(prefix="verbteach-bench-") as folder:
         report = measure(Path(folder), data, peers, show)
     if as_json:

@@ -59,6 +59,11 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "verbteach scenes check",
         "verbteach scenes check --scenes my-scenes",
     ),
+    "verbteach evaluate": (
+        "verbteach evaluate --data tell-me-dave",
+        "verbteach evaluate --data tell-me-dave --policy she16-all --grounding oracle --json",
+        "verbteach evaluate --data tell-me-dave --noise std3 --runs 5",
+    ),
     "verbteach bench": (
         "verbteach bench",
         "verbteach bench --peers --data tell-me-dave --json",

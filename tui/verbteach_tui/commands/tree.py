@@ -12,6 +12,7 @@ from verbteach_tui.commands import (
     bench,
     benchmark,
     doctor,
+    evaluate,
     lessons,
     parse,
     replay,
@@ -30,6 +31,7 @@ COMMANDS: Mapping[str, Command] = {
     "teach": teach.teach,
     "replay": replay.replay,
     "parse": parse.parse,
+    "evaluate": evaluate.evaluate,
     "bench": bench.bench,
     "doctor": doctor.doctor,
 }

@@ -1,0 +1,166 @@
+"""`verbteach evaluate`: verb models scored on commands from environments they have not seen."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
+
+import typer
+
+from verbteach_tui.commands.parameters import JsonFlag, NoiseOption, NoiseReading, SeedOption
+from verbteach_tui.commands.streams import Progress, columns, emit, progress, tell
+from verbteach_tui.conclusion import WrongUseError
+
+if TYPE_CHECKING:
+    from verbteach.experiments.jobs import Setup
+    from verbteach_scenarios.grounds import EvaluationData
+
+J = TypeVar("J")
+R = TypeVar("R")
+
+
+def evaluate(
+    policy: Annotated[
+        str, typer.Option(metavar="NAME", help="The learner: she16, or she16-all as in the paper.")
+    ] = "she16",
+    criterion: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME", help="most_specific, most_general, most_frequent, regression or oracle."
+        ),
+    ] = None,
+    objects: Annotated[
+        str | None,
+        typer.Option(metavar="NAME", help="argument-only, manipulated, argument-related or all."),
+    ] = None,
+    noise: NoiseOption = None,
+    noise_reading: NoiseReading = None,
+    grounding: Annotated[
+        Literal["corpus", "oracle", "own"],
+        typer.Option(help="Where a command's noun phrases get their objects from."),
+    ] = "corpus",
+    data: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="A Tell Me Dave folder; else the bundled lessons."),
+    ] = None,
+    test_data: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Test on this folder; else each environment in turn."),
+    ] = None,
+    runs: Annotated[int, typer.Option(min=1, metavar="N", help="Draws of the noise.")] = 1,
+    seed: SeedOption = None,
+    jobs: Annotated[int, typer.Option(min=1, metavar="N", help="Processes.")] = os.cpu_count() or 1,
+    ceilings: Annotated[
+        bool, typer.Option("--ceilings/--no-ceilings", help="The upper bounds beside the scores.")
+    ] = True,
+    as_json: JsonFlag = False,
+) -> None:
+    """Score a verb model on commands from environments that it has not seen.
+
+    The number of processes changes no figure.
+    """
+    from verbteach.experiments import evaluation
+
+    if test_data is not None and data is None:
+        raise WrongUseError("--test-data needs --data: what to learn from")
+    setup = _setup(policy, criterion, objects, noise, noise_reading, seed or 0)
+    with progress() as show:
+        found = _data(data, test_data, show)
+        setup = _grounded(setup, grounding, found)
+        document = evaluation.evaluate(
+            found.grounds, setup, runs, _Spread(jobs, show), ceilings=ceilings
+        )
+    document = {
+        **document,
+        "noise": noise or "perfect",
+        "noise_reading": noise_reading or "literal",
+    }
+    if as_json:
+        emit(document)
+    else:
+        _print(document)
+
+
+def _setup(
+    policy: str,
+    criterion: str | None,
+    objects: str | None,
+    noise: str | None,
+    reading: str | None,
+    seed: int,
+) -> Setup:
+    from verbteach.experiments.jobs import Setup
+    from verbteach.experiments.she16 import VARIANTS, variant
+    from verbteach.perception.noise import NoiseModel
+
+    if policy not in VARIANTS:
+        has = ", ".join(VARIANTS)
+        raise WrongUseError(f"this version has no policy {policy!r} to evaluate; it has: {has}")
+    try:
+        chosen = variant(
+            policy,
+            criterion and criterion.replace("-", "_"),
+            objects and objects.replace("_", "-"),
+        )
+    except ValueError as error:
+        raise WrongUseError(str(error)) from error
+    return Setup(chosen, NoiseModel.named(noise or "perfect", reading or "literal"), seed=seed)
+
+
+def _data(data: Path | None, test: Path | None, show: Progress) -> EvaluationData:
+    from verbteach_scenarios.grounds import of_corpus, of_lessons
+    from verbteach_scenarios.lessons import load_lessons
+    from verbteach_scenarios.settings import make_settings
+
+    if data is None:
+        return of_lessons(load_lessons(), make_settings())
+    return of_corpus(data, test, lambda done, total: show("reading", done, total))
+
+
+def _grounded(setup: Setup, grounding: str, data: EvaluationData) -> Setup:
+    own = data.own if grounding == "own" else None
+    return replace(setup, grounding=grounding, grounder=own)
+
+
+class _Spread:
+    """A mapper over processes that says how far each round of jobs is."""
+
+    def __init__(self, processes: int, show: Progress) -> None:
+        self._processes, self._show = processes, show
+        self._rounds = 0
+
+    def __call__(self, function: Callable[[J], R], jobs: Iterable[J], /) -> Iterator[R]:
+        waiting = list(jobs)
+        self._rounds += 1
+        stage = f"round {self._rounds}"
+        for done, result in enumerate(self._results(function, waiting), start=1):
+            self._show(stage, done, len(waiting))
+            yield result
+
+    def _results(self, function: Callable[[J], R], jobs: list[J]) -> Iterable[R]:
+        if self._processes == 1:
+            return map(function, jobs)
+        from joblib import Parallel, delayed
+
+        results: Iterable[R] = Parallel(n_jobs=self._processes, return_as="generator")(
+            delayed(function)(job) for job in jobs
+        )
+        return results
+
+
+def _print(document: dict[str, Any]) -> None:
+    names = ("policy", "criterion", "objects", "grounding", "noise", "noise_reading", "instances")
+    tell(columns([(name, str(document[name])) for name in names]))
+    tell()
+    rows = [("", "IED", "SJI"), ("score", _figure(document["ied"]), _figure(document["sji"]))]
+    for name, both in document.get("ceilings", {}).items():
+        rows.append((name.replace("_", " "), _figure(both["ied"]), _figure(both["sji"])))
+    tell(columns(rows))
+
+
+def _figure(figure: dict[str, Any]) -> str:
+    low, high = figure["ci95"]
+    return f"{figure['mean']:.3f} [{low:.3f}, {high:.3f}]"
