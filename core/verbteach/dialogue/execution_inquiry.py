@@ -139,7 +139,9 @@ class ExecutionInquiry:
         for act, features in grounding_questions(
             self.grounding, self.asked, self.parameters.object_questions
         ):
-            yield act, {**features, "ask.gain": self._grounding_gain(act)}
+            gain = self._grounding_gain(act)
+            if gain >= self.parameters.object_gain:
+                yield act, {**features, "ask.gain": gain}
         yield from self._environment_questions()
         yield from self._goal_questions()
 

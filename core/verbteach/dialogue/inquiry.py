@@ -54,7 +54,10 @@ class InquiryParameters:
     ``change_questions`` in learning, ``object_questions`` for each noun
     phrase. Fluents less doubtful than ``environment_doubt`` and literals less
     doubtful than ``doubt`` (the lesser of p and 1 - p) are never asked about.
-    ``cap`` ends the questions of a phase.
+    In execution an object is asked about only where the answer raises the
+    expected Jaccard index by ``object_gain`` or more: below that the question
+    cost as much as one about the goal and brought less. ``cap`` ends the
+    questions of a phase.
     ``goal_relevance`` adds the act that the paper's Table 2 lacks.
     """
 
@@ -62,6 +65,7 @@ class InquiryParameters:
     environment_questions: int = 1
     change_questions: int = 4
     object_questions: int = 1
+    object_gain: float = 0.03
     doubt: float = 0.02
     environment_doubt: float = 0.3
     cap: int = 12

@@ -55,11 +55,11 @@ class TrainingParameters:
     """
 
     learner: str = "lspi"
-    dialogues: int = 1500
+    dialogues: int = 1100
     warm: int = 400
     epsilon: float = 0.3
     gamma: float = 0.99
-    price: float = 3.5
+    price: float = 4.0
     graded: bool = False
     levels: bool = False
     rewards: Rewards = field(default_factory=Rewards)
