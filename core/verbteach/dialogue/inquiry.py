@@ -65,7 +65,7 @@ class InquiryParameters:
     environment_questions: int = 1
     change_questions: int = 4
     object_questions: int = 1
-    object_gain: float = 0.03
+    object_gain: float = 0.1
     doubt: float = 0.02
     environment_doubt: float = 0.3
     cap: int = 12
