@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from textual.widgets import OptionList
 
 from tests.tui.room import OPEN_THE_FRIDGE, Room, learn_to_open, room
@@ -201,3 +202,44 @@ async def test_a_typed_step_is_completed(tmp_path: Path) -> None:
         await here.key("enter")
         assert here.teach.snapshot.shown == ("go to the fridge",)
         assert entry.has_focus, "one typed step follows another"
+
+
+async def test_going_back_in_the_lists_gives_up_the_last_choice(tmp_path: Path) -> None:
+    async with room(tmp_path) as here:
+        await here.line("open the fridge")
+        await here.choose("actions", "go to …")
+        assert here.app.focused is not None
+        assert here.app.focused.id == "objects"
+        await here.key("left")
+        assert here.app.focused.id == "actions"
+        assert here.teach.snapshot.shown == ()
+
+
+async def test_what_was_said_keeps_the_words_of_its_scene(tmp_path: Path) -> None:
+    async with room(tmp_path) as here:
+        await here.lines("open the fridge", "go to the left knob", *OPEN_THE_FRIDGE, "done", "yes")
+        before = here.dialogue
+        await here.line("scene: living-room-1")
+        assert here.dialogue.startswith(before)
+        path = here.teach.teaching.session.path
+    async with room(tmp_path, OpenSession(path)) as here:
+        assert here.dialogue.startswith(before)
+
+
+async def test_a_command_the_robot_offers_is_taken_up_with_a_click(tmp_path: Path) -> None:
+    async with room(tmp_path) as here:
+        await here.line("opne the fridge")
+        assert here.teach.snapshot.suggested == "open the fridge"
+        bar = here.teach.query_one(KeyBar)
+        await here.click_target(bar, "command: yes")
+        assert here.phase == "demonstration"
+        assert here.teach.snapshot.command == "open the fridge"
+
+
+async def test_nothing_moves_by_itself_over_a_slow_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("SSH_CONNECTION", "a 1 b 2")
+    monkeypatch.delenv("TEXTUAL_ANIMATIONS", raising=False)
+    async with room(tmp_path) as here:
+        assert here.app.animation_level == "none"

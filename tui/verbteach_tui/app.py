@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from functools import partial
 from importlib import import_module
@@ -65,6 +66,8 @@ class VerbteachApp(App[None]):
         self.options = options
         self.failure: Exception | None = None
         self._open: list[Teaching] = []
+        if "SSH_CONNECTION" in os.environ and "TEXTUAL_ANIMATIONS" not in os.environ:
+            self.animation_level = "none"  # every frame would go over the wire
         stock = list(self.available_themes)
         for theme in THEMES:
             self.register_theme(theme)

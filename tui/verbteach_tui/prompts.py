@@ -57,6 +57,10 @@ ABOUT: Mapping[Phase, str] = {
 """What is going on in each phase, for the help."""
 
 
+SUGGESTED = Key("yes", f"{acts.Command.name}: yes", "that; or say it in other words")
+"""What takes up a command that the robot offered instead of one it could not read."""
+
+
 class Bar(NamedTuple):
     """What the bar of keys says: the keys that answer, and those that always work."""
 
@@ -87,6 +91,8 @@ def bar_of(snapshot: Snapshot, typing: bool, watching: bool = False) -> Bar:
     if watching and not typing:
         return WATCHING
     lead = PROMPTS[snapshot.phase].lead
+    if snapshot.suggested:
+        return Bar("Is that what you meant?", (SUGGESTED,))
     if typing:
         return Bar(f"{lead}: type and press Enter", _while_typing(snapshot))
     return Bar(lead, tuple(_answers(snapshot)), tuple(_always(snapshot)))
