@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
 from verbteach_tui.views.marks import Mark
@@ -27,10 +27,11 @@ Arrangement: TypeAlias = tuple[tuple[str, ...], ...]
 
 @dataclass(frozen=True)
 class Emphasis:
-    """What a question is about: ``asked`` objects, and the digit that picks each one."""
+    """What stands out: ``asked`` objects, the digits that pick them, and where the robot is."""
 
     asked: Collection[str] = frozenset()
     digits: Mapping[str, str] = field(default_factory=dict)
+    near: Collection[str] = frozenset()
 
 
 def arrange(picture: Picture, width: int) -> Arrangement:
@@ -41,7 +42,7 @@ def arrange(picture: Picture, width: int) -> Arrangement:
     for place in picture.places:
         shortest = heights.index(min(heights))
         columns[shortest].append(place.id)
-        heights[shortest] += len(_card(place, _card_width(width, count), picture, Emphasis()))
+        heights[shortest] += len(_card(place, _card_width(width, count), Emphasis()))
     return tuple(tuple(column) for column in columns)
 
 
@@ -52,15 +53,16 @@ def picture_rows(
     emphasis: Emphasis | None = None,
 ) -> list[Row]:
     """The whole scene; ``arrangement`` comes from :func:`arrange` for the same width."""
-    emphasis = emphasis or Emphasis()
+    handy = emphasis or Emphasis()
+    emphasis = replace(handy, near=picture.near)
     columns = _with_newcomers(arrangement or arrange(picture, width), picture)
     room = _card_width(width, len(columns))
     places = {place.id: place for place in picture.places}
     drawn = [
-        _column([places[key] for key in column if key in places], room, picture, emphasis)
+        _column([places[key] for key in column if key in places], room, emphasis)
         for column in columns
     ]
-    agents = [row for agent in picture.agents for row in _agent(agent, width, emphasis)]
+    agents = [row for agent in picture.agents for row in _agent(agent, width, handy)]
     return [*agents, *_side_by_side(drawn, room), *_others(picture, width, emphasis)]
 
 
@@ -101,19 +103,17 @@ def _agent(agent: Agent, width: int, emphasis: Emphasis) -> list[Row]:
     return wrapped(spans, width, 2)
 
 
-def _column(places: Sequence[Thing], width: int, picture: Picture, emphasis: Emphasis) -> list[Row]:
+def _column(places: Sequence[Thing], width: int, emphasis: Emphasis) -> list[Row]:
     """Cards one below the other, each standing on the next, like shelves of one cabinet."""
     rows: list[Row] = []
     for place in places:
-        rows += _card(place, width, picture, emphasis, first=not rows)
+        rows += _card(place, width, emphasis, first=not rows)
     return [*rows, (Span("╰" + "─" * (width - 2) + "╯", "border"),)] if rows else []
 
 
-def _card(
-    place: Thing, width: int, picture: Picture, emphasis: Emphasis, first: bool = True
-) -> list[Row]:
+def _card(place: Thing, width: int, emphasis: Emphasis, first: bool = True) -> list[Row]:
     inner = width - 4
-    near = [Span(" ◂ robot", "robot")] if _has_robot(place, picture) else []
+    near = [Span(" ◂ robot", "robot")] if place.id in emphasis.near else []
     left, right = "╭╮" if first else "├┤"
     name = [*_name(place, emphasis, "strong"), *_marks(place.marks), *near]
     title = clipped(unglued(name), inner)
@@ -122,11 +122,6 @@ def _card(
     for row in _contents(place, inner, emphasis):
         rows.append((Span("│ ", "border"), *padded(row, inner), Span(" │", "border")))
     return rows
-
-
-def _has_robot(place: Thing, picture: Picture) -> bool:
-    parts = (thing.id for thing in place.contents if thing.part)
-    return place.id in picture.near or any(part in picture.near for part in parts)
 
 
 def _contents(place: Thing, width: int, emphasis: Emphasis) -> list[Row]:
@@ -155,7 +150,8 @@ _SHORT = {"beside": "by", "under": "low"}
 
 
 def _inline(thing: Thing, emphasis: Emphasis) -> list[Span]:
-    spans = [*_name(thing, emphasis, "text"), *_marks(thing.marks)]
+    here = [Span(f" ◂{GLUE}robot", "robot")] if thing.id in emphasis.near else []
+    spans = [*_name(thing, emphasis, "text"), *_marks(thing.marks), *here]
     for index, inside in enumerate(thing.contents):
         spans += [Span(" (" if index == 0 else ", ", "muted"), *_inline(inside, emphasis)]
     return [*spans, Span(")", "muted")] if thing.contents else spans
@@ -190,5 +186,4 @@ def _others(picture: Picture, width: int, emphasis: Emphasis) -> list[Row]:
     for thing in picture.others:
         spans += [SEPARATOR] if spans else [Span("Also here  ", "muted")]
         spans += _inline(thing, emphasis)
-        spans += [Span(f" ◂{GLUE}robot", "robot")] if thing.id in picture.near else []
     return wrapped(spans, width, 2)
