@@ -30,8 +30,8 @@ def depictor(setting: Setting) -> Depictor:
 def test_every_object_is_in_the_picture_exactly_once_wherever_the_robot_puts_it(scene: str) -> None:
     setting = SETTINGS(scene)
     draws = depictor(setting)
-    agents = {"Robot", "Person"}
-    things = set(setting.scene.objects) - set(setting.scene.domain.constants) | agents
+    actors = {"Robot", "Person"}
+    things = set(setting.scene.objects) - set(setting.scene.domain.constants) | actors
     for state in walk(setting, 60, seed=1)[::6]:
         targets = Counter(
             span.target
@@ -39,7 +39,7 @@ def test_every_object_is_in_the_picture_exactly_once_wherever_the_robot_puts_it(
             for span in row
             if span.target
         )
-        assert set(targets) | agents == things
+        assert set(targets) | actors == things
         assert set(targets.values()) == {1} or _only_long_names_repeat(targets, draws)
 
 

@@ -69,9 +69,9 @@ def help_lines(snapshot: Snapshot) -> list[str]:
 def look_lines(picture: Picture) -> list[str]:
     """The scene, one piece of furniture to a line."""
     lines = [f"{picture.title}."]
-    for agent in picture.agents:
-        if agent.holds:
-            lines.append(f"The {agent.label} holds {_listed(agent.holds)}.")
+    for actor in picture.actors:
+        if actor.holds:
+            lines.append(f"The {actor.label} holds {_listed(actor.holds)}.")
     lines += [_told(place) for place in (*picture.places, *picture.others)]
     return lines
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import TypeAlias
 
 from verbteach_tui.views.marks import Mark
-from verbteach_tui.views.picture import Agent, Picture, Thing
+from verbteach_tui.views.picture import Actor, Picture, Thing
 from verbteach_tui.views.rows import GLUE, Row, Span, clipped, padded, unglued, width_of, wrapped
 
 NARROWEST = 30
@@ -62,8 +62,8 @@ def picture_rows(
         _column([places[key] for key in column if key in places], room, emphasis)
         for column in columns
     ]
-    agents = [row for agent in picture.agents for row in _agent(agent, width, handy)]
-    return [*agents, *_side_by_side(drawn, room), *_others(picture, width, emphasis)]
+    actors = [row for actor in picture.actors for row in _actor(actor, width, handy)]
+    return [*actors, *_side_by_side(drawn, room), *_others(picture, width, emphasis)]
 
 
 def _with_newcomers(arrangement: Arrangement, picture: Picture) -> list[list[str]]:
@@ -91,15 +91,15 @@ def _side_by_side(columns: Sequence[Sequence[Row]], room: int) -> list[Row]:
     return rows
 
 
-def _agent(agent: Agent, width: int, emphasis: Emphasis) -> list[Row]:
+def _actor(actor: Actor, width: int, emphasis: Emphasis) -> list[Row]:
     """As in: robot holds kettle. A person is worth a row only with something in hand."""
-    if not agent.holds and agent.id != "Robot":
+    if not actor.holds and actor.id != "Robot":
         return []
     holds: list[Span] = []
-    for thing in agent.holds:
+    for thing in actor.holds:
         holds += [SEPARATOR] if holds else []
         holds += _inline(thing, emphasis)
-    spans = [Span(agent.label, "robot"), Span(" holds ", "muted"), *(holds or [Span("nothing")])]
+    spans = [Span(actor.label, "robot"), Span(" holds ", "muted"), *(holds or [Span("nothing")])]
     return wrapped(spans, width, 2)
 
 

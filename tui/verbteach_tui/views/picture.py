@@ -57,7 +57,7 @@ class Thing:
 
 
 @dataclass(frozen=True)
-class Agent:
+class Actor:
     """The robot or a person: where it is and what it holds."""
 
     id: str
@@ -71,14 +71,14 @@ class Picture:
     """A scene at one moment. ``places`` have or had something in or on them; ``others`` do not."""
 
     title: str
-    agents: tuple[Agent, ...] = ()
+    actors: tuple[Actor, ...] = ()
     places: tuple[Thing, ...] = ()
     others: tuple[Thing, ...] = ()
 
     @cached_property
     def near(self) -> frozenset[str]:
         """What the robot is at."""
-        return frozenset(self.agents[0].near) if self.agents else frozenset()
+        return frozenset(self.actors[0].near) if self.actors else frozenset()
 
 
 class Depictor:
@@ -90,8 +90,8 @@ class Depictor:
         self._possible: dict[str, list[Fluent]] = defaultdict(list)
         for fluent in changeable(scene):
             self._possible[fluent.args[0]].append(fluent)
-        self._agents = tuple(key for key in scene.objects if self._is_agent(key))
-        self._values = frozenset(scene.domain.constants) - frozenset(self._agents)
+        self._actors = tuple(key for key in scene.objects if self._is_actor(key))
+        self._values = frozenset(scene.domain.constants) - frozenset(self._actors)
         roots = self._roots(_Facts(scene.initial, self._rank))
         self._furnished = frozenset(root.id for root in roots if root.furnished)
 
@@ -101,24 +101,24 @@ class Depictor:
         roots = self._roots(facts)
         shown = [root for root in roots if root.furnished or root.id in self._furnished]
         others = [root for root in roots if not (root.furnished or root.id in self._furnished)]
-        agents = tuple(
-            Agent(key, self.labels[key], facts.near[key], self._things(facts, facts.held[key]))
-            for key in self._agents
+        actors = tuple(
+            Actor(key, self.labels[key], facts.near[key], self._things(facts, facts.held[key]))
+            for key in self._actors
         )
-        return Picture(self.scene.title, agents, tuple(shown), tuple(others))
+        return Picture(self.scene.title, actors, tuple(shown), tuple(others))
 
     @cached_property
     def _rank(self) -> Mapping[str, int]:
         return {key: rank for rank, key in enumerate(self.scene.objects)}
 
-    def _is_agent(self, key: str) -> bool:
+    def _is_actor(self, key: str) -> bool:
         kind = self.scene.objects[key].type
         return key == "Robot" or any(
             self.scene.domain.is_a(kind, name) for name in ("robot", "agent", "person")
         )
 
     def _roots(self, facts: _Facts) -> list[Thing]:
-        hidden = self._values | frozenset(self._agents)
+        hidden = self._values | frozenset(self._actors)
         free = [key for key in self.scene.objects if key not in facts.parent and key not in hidden]
         return [self._thing(facts, key) for key in free]
 
