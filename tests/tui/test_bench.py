@@ -139,11 +139,18 @@ def test_version_is_timed_in_a_process_of_its_own() -> None:
 
 
 @pytest.mark.slow
-def test_bench_prints_every_figure_of_the_contract() -> None:
+def test_bench_prints_every_figure_of_the_contract(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In small, but with everything that is measured."""
+    monkeypatch.setattr("verbteach_tui.bench.dialogue.WARMED", 20)
+    monkeypatch.setattr("verbteach_tui.bench.dialogue.SECONDS", 0.2)
+    monkeypatch.setattr("verbteach_tui.bench.dialogue.TAUGHT", 3)
+    for name, value in {"QUESTIONS": 10, "TURNS": 60, "APP_TURNS": 20}.items():
+        monkeypatch.setattr(f"verbteach_tui.commands.bench.{name}", value)
     ran = here("bench", "--json")
     assert ran.status == 0
     document = ran.document
     assert set(document["startup_ms"]) == {"version", "first_paint"}
+    assert document["startup_ms"]["first_paint"] > document["startup_ms"]["version"] > 0
     for name in ("turn_ms", "planned_turn_ms", "plan_ms"):
         assert 0 < document[name]["p50"] <= document[name]["p95"]
     assert document["plan_ms"]["path"] in ("plain", "compiled")

@@ -137,7 +137,7 @@ def test_ctrl_c_in_a_simulation_says_how_to_go_on(tmp_path: Path) -> None:
         child.kill()
     assert child.returncode == 130, err
     session = json.loads(out)["session"]
-    assert f"--resume {session}" in err
+    assert f"--resume {session} --teacher simulated --lessons 500" in err
     assert here("sessions", "validate", session).status == 0
 
 

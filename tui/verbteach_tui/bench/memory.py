@@ -12,12 +12,11 @@ import subprocess
 import sys
 from pathlib import Path
 
-TURNS = 1000
 SIZE = (120, 40)
 PATIENCE = 0.005  # seconds between looks whether the robot has answered
 
 
-def app_rss_mb(folder: Path, turns: int = TURNS) -> float | None:
+def app_rss_mb(folder: Path, turns: int) -> float | None:
     """Resident megabytes of the app after ``turns`` turns; ``None`` where it did not get there."""
     words = [sys.executable, "-m", "verbteach_tui.bench.memory", str(folder), str(turns)]
     done = subprocess.run(words, capture_output=True, text=True, check=False)

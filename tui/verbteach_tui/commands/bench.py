@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from verbteach_tui.bench.questions import Question
 
 QUESTIONS, PEERS_QUESTIONS = 200, 40
-TURNS = 300
+TURNS, APP_TURNS = 300, 1000
 
 
 def bench(
@@ -128,7 +128,7 @@ def _memory(folder: Path, show: Progress) -> float | None:
     from verbteach_tui.bench.memory import app_rss_mb
 
     show("memory of the app", 0, 1)
-    held = app_rss_mb(folder)
+    held = app_rss_mb(folder, APP_TURNS)
     show("memory of the app", 1, 1)
     return held
 

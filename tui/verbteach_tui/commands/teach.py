@@ -124,14 +124,15 @@ def teach(
     )
     if scene is not None:
         known(scene, beginning.scene_ids(), "scene")
-    if beginning.interface == "app":
-        status = _on_screen(beginning, scene, resume, theme)
-    elif beginning.interface == "simulated":
-        status = _simulated(beginning, scene, resume, lessons or LESSONS)
-    elif beginning.interface == "script":
-        status = _scripted(beginning, teacher, scene, resume, ignore if as_json else tell)
-    else:
-        status = _plain(beginning, scene, resume, sys.stderr if as_json else sys.stdout)
+    out = sys.stderr if as_json else sys.stdout
+    ways: Mapping[str, Callable[[], int]] = {
+        "app": lambda: _on_screen(beginning, scene, resume, theme),
+        "simulated": lambda: _simulated(beginning, scene, resume, lessons or LESSONS),
+        "script": lambda: _scripted(beginning, teacher, scene, resume, ignore if as_json else tell),
+        "plain": lambda: _plain(beginning, scene, resume, out),
+    }
+    same = f" --teacher {SIMULATED} --lessons {lessons or LESSONS}" if teacher == SIMULATED else ""
+    status = _interruptible(beginning, ways[beginning.interface], same)
     if status != WRONG_USE or not as_json:
         _conclude(beginning, as_json)
     if status != DONE:
@@ -161,6 +162,10 @@ def _on_screen(
 ) -> int:
     from verbteach_tui.room import full_screen
 
+    if theme is not None:
+        from verbteach_tui.themes import THEMES
+
+        known(theme, [one.name for one in THEMES], "theme")
     opening: Opening = OpenSession(resume) if resume else OpenNew(scene) if scene else OpenHome()
     return full_screen(beginning, opening, theme)
 
@@ -185,7 +190,8 @@ def _scripted(
         script_lines(script) as lines,
         _session(beginning, scene or beginning.scene_ids()[0], resume) as session,
     ):
-        return _interruptible(session, lambda: play_script(session, script, lines, heard))
+        play_script(session, script, lines, heard)
+        return DONE
 
 
 def _simulated(beginning: Beginning, scene: str | None, resume: Path | None, count: int) -> int:
@@ -202,9 +208,8 @@ def _simulated(beginning: Beginning, scene: str | None, resume: Path | None, cou
             compiled.warm_up()
             show("planner", 1, 1)
         given = counting(show, "lessons", count)
-        return _interruptible(
-            session, lambda: simulate(session, lessons, count, beginning.setting, given)
-        )
+        simulate(session, lessons, count, beginning.setting, given)
+        return DONE
 
 
 @contextmanager
@@ -216,15 +221,18 @@ def _session(beginning: Beginning, scene: str, resume: Path | None) -> Iterator[
         yield session
 
 
-def _interruptible(session: Session, run: Callable[[], None]) -> int:
-    """Ctrl-C ends the run; the session is whole up to there, and can be gone on with."""
+def _interruptible(beginning: Beginning, run: Callable[[], int], same: str) -> int:
+    """Ctrl-C ends the run; the session is whole up to there, and can be gone on with.
+
+    ``same`` are the options to give again.
+    """
     try:
-        run()
+        return run()
     except KeyboardInterrupt:
         note("interrupted; all that was said is kept")
-        note(f"go on: verbteach teach --resume {session.path}")
+        if beginning.opened:
+            note(f"go on: verbteach teach --resume {beginning.opened[-1].path}{same}")
         return INTERRUPTED
-    return DONE
 
 
 def _conclude(beginning: Beginning, as_json: bool) -> None:
