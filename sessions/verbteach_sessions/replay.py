@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -51,11 +51,16 @@ class Frame(NamedTuple):
     state: RobotState | None
 
 
-def verify(path: Path, settings: Settings, to: int | None = None) -> Verification:
+def verify(
+    path: Path,
+    settings: Settings,
+    to: int | None = None,
+    heard: Callable[[int], None] | None = None,
+) -> Verification:
     """Recompute every event of a session, up to number ``to`` with it, and compare.
 
-    A line that was changed, lost or replaced is a difference; a torn last line
-    is a warning. Raises ``NewerLogError``, ``NotASessionError``, ``LogError``
+    ``heard`` is told how many events are done, whenever one is. A line that was
+    changed, lost or replaced is a difference; a torn last line is a warning. Raises ``NewerLogError``, ``NotASessionError``, ``LogError``
     on a file that is no log, ``UnknownSceneError`` and ``NoSecondReaderError``.
     """
     reader = LogReader(path)
@@ -68,6 +73,8 @@ def verify(path: Path, settings: Settings, to: int | None = None) -> Verificatio
                 break
             events += 1
             _take(reader, past, event)
+            if heard is not None:
+                heard(events)
     except DamagedLogError as error:
         difference = past.difference or _damage(reader, error)
     difference = difference or past.difference

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -61,13 +61,18 @@ class Validation:
         }
 
 
-def validate(path: Path, settings: Settings) -> Validation:
-    """Hold a session against every rule. What is wrong with the record is never an exception."""
+def validate(
+    path: Path, settings: Settings, heard: Callable[[int], None] | None = None
+) -> Validation:
+    """Hold a session against every rule. What is wrong with the record is never an exception.
+
+    ``heard`` is told how many events have been recomputed, whenever one has.
+    """
     reader = LogReader(path)
     walk = _Walk(reader)
     problems = tuple(walk.problems())
     if not problems:
-        problems = tuple(_replayed(path, settings))
+        problems = tuple(_replayed(path, settings, heard))
     return Validation(problems, tuple(walk.warnings()))
 
 
@@ -139,9 +144,11 @@ def _wrong_header(event: Event) -> str:
     return ""
 
 
-def _replayed(path: Path, settings: Settings) -> Iterator[Finding]:
+def _replayed(
+    path: Path, settings: Settings, heard: Callable[[int], None] | None
+) -> Iterator[Finding]:
     try:
-        difference = verify(path, settings).first_difference
+        difference = verify(path, settings, heard=heard).first_difference
     except (SessionError, UnknownSceneError, NoSecondReaderError) as error:
         yield Finding("replay", None, str(error))
         return

@@ -9,7 +9,8 @@ from typing import Any
 
 from verbteach_sessions.content import ContentHash
 from verbteach_sessions.errors import LogError, NotASessionError
-from verbteach_sessions.eventlog import LogReader
+from verbteach_sessions.eventlog import LogReader, log_path
+from verbteach_sessions.files import open_regular
 from verbteach_sessions.header import Header
 from verbteach_sessions.history import History
 from verbteach_sessions.lines import Event
@@ -66,3 +67,12 @@ def _take(reader: LogReader, history: History, content: ContentHash, event: Even
         content.add(event)
     except (EventError, ValueError) as error:
         raise LogError(reader.path, event.seq + 1, str(error)) from error
+
+
+def count_events(path: Path) -> int:
+    """How many lines the record at ``path`` has; 0 where it cannot be read."""
+    try:
+        with open_regular(log_path(path)) as log:
+            return sum(1 for _ in log)
+    except NotASessionError:
+        return 0

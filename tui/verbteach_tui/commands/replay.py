@@ -10,7 +10,7 @@ from typing import Annotated
 import typer
 
 from verbteach_tui.commands.parameters import JsonFlag, ScenesFolder, SessionArgument
-from verbteach_tui.commands.streams import emit, note, tell
+from verbteach_tui.commands.streams import counting, emit, note, progress, tell
 from verbteach_tui.conclusion import CHECK_FAILED
 
 LONGEST = 300  # characters of a differing value
@@ -57,8 +57,11 @@ def _verify(session: Path, to: int | None, scenes: Path | None, as_json: bool, a
     from verbteach_scenarios.nlp.second_opinion import if_installed
     from verbteach_scenarios.settings import make_settings
     from verbteach_sessions.replay import verify
+    from verbteach_tui.record import count_events
 
-    found = verify(session, make_settings(scenes, if_installed()), to)
+    with progress() as show:
+        heard = counting(show, "events", count_events(session))
+        found = verify(session, make_settings(scenes, if_installed()), to, heard)
     for warning in found.warnings:
         note(f"warning: {warning}")
     if as_json:

@@ -13,7 +13,7 @@ from verbteach_tui.commands.parameters import (
     SessionArgument,
     SessionsFolder,
 )
-from verbteach_tui.commands.streams import columns, emit, note, progress, tell
+from verbteach_tui.commands.streams import columns, counting, emit, note, progress, tell
 from verbteach_tui.conclusion import CHECK_FAILED, WrongUseError
 
 if TYPE_CHECKING:
@@ -80,12 +80,14 @@ def validate(
     from verbteach_scenarios.nlp.second_opinion import if_installed
     from verbteach_scenarios.settings import make_settings
     from verbteach_sessions.validate import validate as examine
+    from verbteach_tui.record import count_events
 
     paths, settings = _records(path), make_settings(scenes, if_installed())
     found: list[tuple[Path, Validation]] = []
     with progress() as show:
         for done, one in enumerate(paths, start=1):
-            found.append((one, examine(one, settings)))
+            heard = counting(show, "events", count_events(one))
+            found.append((one, examine(one, settings, heard)))
             show("sessions", done, len(paths))
     if as_json:
         emit(_document(path, found))
