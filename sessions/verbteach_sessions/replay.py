@@ -60,8 +60,9 @@ def verify(
     """Recompute every event of a session, up to number ``to`` with it, and compare.
 
     ``heard`` is told how many events are done, whenever one is. A line that was
-    changed, lost or replaced is a difference; a torn last line is a warning. Raises ``NewerLogError``, ``NotASessionError``, ``LogError``
-    on a file that is no log, ``UnknownSceneError`` and ``NoSecondReaderError``.
+    changed, lost or replaced is a difference; a torn last line is a warning.
+    Raises ``NewerLogError``, ``NotASessionError``, ``LogError`` on a file that
+    is no log, ``UnknownSceneError`` and ``NoSecondReaderError``.
     """
     reader = LogReader(path)
     past = Recomputing(settings)
