@@ -111,13 +111,16 @@ def test_only_the_most_general_hypotheses_apply_where_asked() -> None:
 
 def test_a_verb_that_nobody_taught_borrows_from_all() -> None:
     situation = in_new_room(certain(("Box_9", "Table_7")), 2)
-    borrowed = ApplicationParameters(any_verb=True)
+    borrowed = ApplicationParameters(borrow_below=1)
     unknown = replace(situation, frame=FrameKey("stow", 2))
     assert evidence(BOTH, unknown) == ()
     assert {e.goal for e in evidence(BOTH, unknown, borrowed)} == {
         e.goal for e in evidence(BOTH, situation)
     }
     assert evidence(BOX, situation, borrowed) == ()  # the verb is known, in another frame
+    assert evidence(BOTH, situation, ApplicationParameters(borrow_below=2)) == evidence(
+        BOTH, situation
+    )
 
 
 def test_objects_that_a_hypothesis_does_not_speak_of_are_not_told_apart() -> None:

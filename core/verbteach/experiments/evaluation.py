@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Protocol, TypeVar
+from typing import Any, Protocol, TypeAlias, TypeVar
 
 from verbteach.experiments.figures import Figure, Observation, constant, figure
 from verbteach.experiments.folds import Fold, is_development
@@ -66,11 +66,32 @@ class Grounds:
         return tuple(found[name] for name in sorted(found))
 
 
-def run_trials(grounds: Grounds, setup: Setup, run: int = 0, mapper: Mapper = map) -> list[Trial]:
-    """One run: the trials of all folds, by instance."""
+Lessons: TypeAlias = dict[str, Lesson]
+"""Lessons by instance."""
+
+Memory: TypeAlias = dict[str, Lessons]
+"""Lessons of earlier runs, by what they hang on."""
+
+
+def run_trials(
+    grounds: Grounds,
+    setup: Setup,
+    run: int = 0,
+    mapper: Mapper = map,
+    memory: Memory | None = None,
+) -> list[Trial]:
+    """One run: the trials of all folds, by instance.
+
+    What was learned is kept in ``memory``, for runs on the same grounds that
+    learn alike and differ in how they choose.
+    """
     sight = Sight.of(setup.noise, grounds.instances, setup.seed, run)
     site = Site(setup, sight, grounds.tasks, grounds.planner)
-    lessons = _learned(grounds, site, mapper)
+    memory = {} if memory is None else memory
+    key = _hangs_on(setup, run)
+    if key not in memory:
+        memory[key] = _learned(grounds, site, mapper)
+    lessons = memory[key]
     criteria = _criteria(grounds, site, lessons, mapper)
     jobs = [
         (site.only(fold.test), fold.test, [lessons[i.id] for i in fold.train], criterion)
@@ -79,7 +100,14 @@ def run_trials(grounds: Grounds, setup: Setup, run: int = 0, mapper: Mapper = ma
     return sorted(trial for trials in mapper(test_all, jobs) for trial in trials)
 
 
-def _learned(grounds: Grounds, site: Site, mapper: Mapper) -> dict[str, Lesson]:
+def _hangs_on(setup: Setup, run: int) -> str:
+    """What a demonstration's lesson hangs on: the draw of the noise, and how it is learned from."""
+    variant = setup.variant
+    grounding = (setup.grounding, setup.grounder)
+    return repr((variant.learning, variant.reenacts, setup.noise, setup.seed, run, grounding))
+
+
+def _learned(grounds: Grounds, site: Site, mapper: Mapper) -> Lessons:
     jobs = [(site.only(own), own) for own in _by_environment(grounds.train).values()]
     found = (lesson for lessons in mapper(learn_all, jobs) for lesson in lessons)
     return {lesson.demonstration.id: lesson for lesson in found}
@@ -185,6 +213,7 @@ def evaluate(
     *,
     ceilings: bool = True,
     resample: int = 2000,
+    memory: Memory | None = None,
 ) -> dict[str, Any]:
     """Evaluate a learner; the JSON document of ``verbteach evaluate``.
 
@@ -192,7 +221,8 @@ def evaluate(
     chose the best of its candidate goals (``oracle_selection``), and what
     planning to the demonstrated change comes to (``oracle_goal``).
     """
-    trials = [run_trials(grounds, setup, run, mapper) for run in range(runs)]
+    memory = {} if memory is None else memory
+    trials = [run_trials(grounds, setup, run, mapper, memory) for run in range(runs)]
     document = {
         "policy": setup.variant.name,
         "criterion": setup.variant.criterion,
@@ -206,7 +236,7 @@ def evaluate(
     }
     if ceilings:
         best = replace(setup, variant=replace(setup.variant, criterion=ORACLE))
-        oracle = [run_trials(grounds, best, run, mapper) for run in range(runs)]
+        oracle = [run_trials(grounds, best, run, mapper, memory) for run in range(runs)]
         goal = [ceiling_trials(grounds)] * runs
         document["ceilings"] = {
             "oracle_selection": scores(oracle, setup.seed, resample).to_json(),

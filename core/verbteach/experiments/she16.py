@@ -44,7 +44,7 @@ class Variant:
 
 
 STRONG = SelectionParameters(
-    application=ApplicationParameters(whole_verb=True, least_only=True),
+    application=ApplicationParameters(whole_verb=True, least_only=True, borrow_below=1),
     pooling=Pooling.CONSENSUS,
 )
 """How the strongest variant applies what it knows."""
@@ -52,7 +52,7 @@ STRONG = SelectionParameters(
 VARIANTS: Mapping[str, Variant] = {
     variant.name: variant
     for variant in (
-        Variant("she16", selection=STRONG),
+        Variant("she16", selection=STRONG).with_objects(ObjectSet.MANIPULATED),
         Variant("she16-all"),
     )
 }

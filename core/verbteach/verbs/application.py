@@ -62,7 +62,8 @@ class ApplicationParameters:
     ``whole_verb``: the verb's other frames give goals too, their variables
     bound to the new objects in every order-keeping way, left-over ones to the
     object they had; a wider pool than the papers'.
-    ``any_verb``: a verb that nobody taught borrows the goals of all verbs.
+    ``borrow_below``: a verb with fewer demonstrations than this borrows the
+    goals of all verbs (1: one that nobody taught; 0: none does).
     ``least_only``: of each demonstration only the most general hypotheses
     apply, which loses little and is four times faster.
     ``groundings``: at most this many joint groundings, the likeliest first.
@@ -70,7 +71,7 @@ class ApplicationParameters:
 
     replace_missing: int = 0
     whole_verb: bool = False
-    any_verb: bool = False
+    borrow_below: int = 0
     least_only: bool = False
     groundings: int = 64
 
@@ -170,9 +171,10 @@ def _frames(
         chosen = [k for k in knowledge.frames if k.verb == key.verb]
     else:
         chosen = [key] if key in knowledge.frames else []
-    if parameters.any_verb and key.verb not in knowledge.verbs:
+    if knowledge.taught(key.verb) < parameters.borrow_below:
         chosen = list(knowledge.frames)
-    return [knowledge.frames[k] for k in sorted(chosen, key=lambda k: (k != key, k))]
+    order = sorted(chosen, key=lambda k: (k != key, k.verb != key.verb, k))
+    return [knowledge.frames[k] for k in order]
 
 
 def _supports(

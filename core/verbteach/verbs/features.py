@@ -27,6 +27,7 @@ NAMES: tuple[str, ...] = (
     "least",  # the demonstration kept nothing more general
     "whole",  # it is all that the demonstration changed
     "confirmed",  # its teacher confirmed it
+    "same_verb",  # it is the command's verb, not one borrowed from
     "same_frame",  # the demonstration's command had as many noun phrases
     "same_objects",  # share of the arguments that were the demonstration's too
     "alike_objects",  # likeness of what the arguments and the demonstration's afford
@@ -51,14 +52,15 @@ def votes(evidence: Evidence) -> Iterator[Vote]:
     size = min(len(evidence.goal), _LARGE) / _LARGE
     for support in evidence.supports:
         others = _other_things(support.node.literals)
-        own_frame = float(support.frame.key == evidence.situation.frame)
+        frame, wanted = support.frame.key, evidence.situation.frame
+        own = (float(frame.verb == wanted.verb), float(frame.arity == wanted.arity))
         replaced = float(support.replaced)
         for use in support.uses:
             phrases = _phrases(evidence.situation.phrases, use.demonstration.phrases)
             marks = (float(use.leaf), float(use.base), float(use.confirmed))
             objects = _objects(evidence.situation, support, use)
             features = (
-                satisfied, others, *phrases, *marks, own_frame, *objects, replaced, size, negative
+                satisfied, others, *phrases, *marks, *own, *objects, replaced, size, negative
             )  # fmt: skip
             yield Vote(features, support.probability, use.demonstration)
 

@@ -183,6 +183,10 @@ class VerbKnowledge:
         """The verbs with at least one hypothesis, sorted."""
         return tuple(sorted({key.verb for key in self.frames}))
 
+    def taught(self, verb: str) -> int:
+        """How many demonstrations of the verb there are, over all its frames."""
+        return sum(len(f.spaces) for key, f in self.frames.items() if key.verb == verb)
+
     def with_space(self, space: HypothesisSpace) -> VerbKnowledge:
         """Knowledge with one demonstration more; other frames are shared."""
         key = space.demonstration.frame
