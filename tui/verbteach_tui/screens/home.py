@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from datetime import datetime
 from pathlib import Path
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
@@ -16,11 +16,13 @@ from textual.screen import Screen
 from textual.widgets import OptionList, Static
 from textual.widgets.option_list import Option
 
-from verbteach_sessions.catalogue import Entry, list_sessions
 from verbteach_tui.options import OpenNew, OpenSession
 from verbteach_tui.views.visible import visible
 from verbteach_tui.widgets.foot import Foot
 from verbteach_tui.widgets.scene_chooser import LoadScene, SceneChooser
+
+if TYPE_CHECKING:
+    from verbteach_sessions.catalogue import Entry
 
 MOST = 60
 _WELCOME = "Teach a robot what verbs mean. Choose a room."
@@ -78,6 +80,8 @@ class HomeScreen(Screen[None]):
         self.run_worker(self._list_sessions, thread=True, exit_on_error=False, group="list")
 
     def _list_sessions(self) -> None:
+        from verbteach_sessions.catalogue import list_sessions
+
         entries = list_sessions(self._sessions)[:MOST]
         self.app.call_from_thread(self._show_sessions, entries)
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
-from verbteach_tui.views.marks import Mark
-from verbteach_tui.views.picture import Actor, Picture, Thing
 from verbteach_tui.views.rows import GLUE, Row, Span, clipped, padded, unglued, width_of, wrapped
+
+if TYPE_CHECKING:
+    from verbteach_tui.views.marks import Mark
+    from verbteach_tui.views.picture import Actor, Picture, Thing
 
 NARROWEST = 30
 """Cells a card needs before there is another column."""

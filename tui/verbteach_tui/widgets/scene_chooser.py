@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from textual.app import ComposeResult
 from textual.containers import Horizontal
@@ -14,13 +14,18 @@ from textual.widgets import OptionList
 from textual.widgets.option_list import Option
 from textual.worker import get_current_worker
 
-from verbteach.world.scene import Scene
-from verbteach_tui.views.picture import Depictor, Picture
 from verbteach_tui.views.rows import Span, wrapped
 from verbteach_tui.views.visible import visible
 from verbteach_tui.widgets.scene_view import SceneView
 
-LoadScene: TypeAlias = Callable[[str], Scene]
+if TYPE_CHECKING:
+    from verbteach.world.scene import Scene
+    from verbteach_tui.views.picture import Picture
+
+PAUSE = 0.08
+"""Seconds a scene stays under the cursor before it is opened to look at."""
+
+LoadScene: TypeAlias = "Callable[[str], Scene]"
 """Opens a scene; may raise, and runs in a worker thread."""
 
 
@@ -84,10 +89,18 @@ class SceneChooser(Horizontal):
         if scene in self._pictures:
             self._show(scene)
         else:
+            self.set_timer(PAUSE, partial(self._look_at, scene))
+
+    def _look_at(self, scene: str) -> None:
+        """Open a scene, unless the person has gone on meanwhile."""
+        if scene == self._highlighted and scene not in self._pictures:
             self.run_worker(
-                partial(self._look, scene), thread=True, exclusive=True, group="look",
+                partial(self._look, scene),
+                thread=True,
+                exclusive=True,
+                group="look",
                 exit_on_error=False,
-            )  # fmt: skip
+            )
 
     def on_option_list_option_selected(self, message: OptionList.OptionSelected) -> None:
         """Enter a scene."""
@@ -109,6 +122,8 @@ class SceneChooser(Horizontal):
         return option.id if option else None
 
     def _look(self, scene: str) -> None:
+        from verbteach_tui.views.picture import Depictor
+
         try:
             opened = self._load(scene)
             picture = Depictor(opened).picture(opened.initial)

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from textual import events
 
 from verbteach_tui.views.cards import Arrangement, Emphasis, arrange, picture_rows
-from verbteach_tui.views.picture import Picture
 from verbteach_tui.views.rows import Row, plain
 from verbteach_tui.widgets.rows_view import RowsView
+
+if TYPE_CHECKING:
+    from verbteach_tui.views.picture import Picture
 
 
 class SceneView(RowsView):
