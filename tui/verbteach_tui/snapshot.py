@@ -46,6 +46,16 @@ class Figures:
     reward: float
     verbs: int
 
+    @property
+    def texts(self) -> tuple[str, ...]:
+        """In words, what matters most first."""
+        return (
+            f"verbs {self.verbs}",
+            f"questions {self.questions}",
+            f"commands {self.episodes}, {self.successes} done right",
+            f"reward {self.reward:+g}",
+        )
+
 
 @dataclass(frozen=True)
 class Snapshot:

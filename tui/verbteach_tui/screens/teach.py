@@ -105,7 +105,7 @@ class TeachScreen(AnsweringScreen):
     def _show(self, snapshot: Snapshot, played: bool) -> None:
         self.query_one(DialogueView).show_lines(snapshot.lines)
         self.query_one(MindView).show_mind(snapshot.mind)
-        self._show_title(snapshot)
+        self.query_one(TitleBar).show_title(snapshot.scene, snapshot.figures.texts)
         on_stage = self.query_one(Stage).show_snapshot(snapshot, played, self._speed)
         if not played:
             self._show_moment(snapshot.moment)
@@ -113,18 +113,6 @@ class TeachScreen(AnsweringScreen):
         looking = played or snapshot.phase is Phase.DEMONSTRATION
         self._choose_tab("scene" if looking else "dialogue", on_stage)
         self.teaching.shown()
-
-    def _show_title(self, snapshot: Snapshot) -> None:
-        figures = snapshot.figures
-        self.query_one(TitleBar).show_title(
-            f"{snapshot.scene}",
-            (
-                f"verbs {figures.verbs}",
-                f"questions {figures.questions}",
-                f"commands {figures.episodes}, {figures.successes} done right",
-                f"reward {figures.reward:+g}",
-            ),
-        )
 
     def _show_moment(self, moment: Moment) -> None:
         snapshot = self.snapshot
