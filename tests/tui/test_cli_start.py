@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import os
+import shlex
 import subprocess
 import sys
 from unittest.mock import patch
 
 import pytest
-import typer
 
 from tests.tui.commandline import assert_refused, here, process
+from tests.tui.test_cli_contract import commands, options_of
 from verbteach import __version__
-from verbteach_tui.commands.tree import build
+from verbteach_tui.cli import COMPLETION_VARIABLE
+from verbteach_tui.commands.examples import EXAMPLES
 from verbteach_tui.conclusion import BUG, INTERRUPTED, concluded
 
 
@@ -46,9 +48,9 @@ def test_without_a_terminal_home_says_how_to_go_on() -> None:
     assert_refused(process(), "terminal", "verbteach teach --plain")
 
 
-@pytest.mark.parametrize("words", [("--help",), ("-h",), ("doctor", "--help")])
-def test_help_is_plain_text_with_examples(words: tuple[str, ...]) -> None:
-    ran = here(*words)
+@pytest.mark.parametrize("name", ["", *EXAMPLES])
+def test_help_is_plain_text_with_examples(name: str) -> None:
+    ran = here(*name.split()[1:], "--help")
     assert ran.status == 0
     assert "Examples:" in ran.out
     assert "\x1b" not in ran.out
@@ -68,11 +70,21 @@ def test_what_the_person_typed_cannot_act_on_the_terminal() -> None:
     assert "\x1b" not in ran.err
 
 
-def test_a_shell_gets_completions() -> None:
+@pytest.mark.parametrize(
+    ("typed", "offered"),
+    [
+        ("verbteach doc", ["doctor"]),
+        ("verbteach scenes s", ["show"]),
+        ("verbteach scenes show living-room-", [f"living-room-{n}" for n in range(1, 7)]),
+        ("verbteach teach --scene kitchen-4", ["kitchen-4"]),
+        ("verbteach replay --ver", ["--verify"]),
+    ],
+)
+def test_a_shell_gets_completions(typed: str, offered: list[str]) -> None:
     asked = {
-        "_VERBTEACH_COMPLETE": "complete_bash",
-        "COMP_WORDS": "verbteach doc",
-        "COMP_CWORD": "1",
+        COMPLETION_VARIABLE: "complete_bash",
+        "COMP_WORDS": typed,
+        "COMP_CWORD": str(len(typed.split()) - 1),
     }
     done = subprocess.run(
         [sys.executable, "-m", "verbteach_tui"],
@@ -81,7 +93,7 @@ def test_a_shell_gets_completions() -> None:
         check=False,
         env={**os.environ, **asked},
     )
-    assert done.stdout.split() == ["doctor"]
+    assert done.stdout.split() == offered
 
 
 def test_a_bug_shows_its_traceback_and_an_own_status() -> None:
@@ -102,16 +114,14 @@ def test_an_interrupt_is_not_a_bug() -> None:
     assert concluded(interrupted) == INTERRUPTED
 
 
-def test_every_command_has_examples_that_start_with_it() -> None:
-    for path, command in _commands(typer.main.get_command(build()), "verbteach"):
-        assert command.epilog, path
-        lines = [line.strip() for line in command.epilog.splitlines()[2:]]
-        assert lines, path
-        assert all(line.split()[0] == "verbteach" or "| verbteach" in line for line in lines), path
-
-
-def _commands(command: object, path: str) -> list[tuple[str, typer.core.TyperCommand]]:
-    own = [(path, command)]
-    for name, inner in getattr(command, "commands", {}).items():
-        own += _commands(inner, f"{path} {name}")
-    return own  # type: ignore[return-value]
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_examples_name_commands_and_options_that_there_are(name: str) -> None:
+    groups = {path.rpartition(" ")[0] for path in EXAMPLES}
+    there = {f"verbteach {path}": options_of(command) for path, command in commands()}
+    there["verbteach"] = set()
+    for line in EXAMPLES[name]:
+        words = shlex.split(line)
+        command = max((path for path in there if line.startswith(path)), key=len)
+        assert command.startswith(name) or name in groups
+        used = {word for word in words if word.startswith("--")}
+        assert used <= there[command], line
