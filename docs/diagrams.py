@@ -6,6 +6,7 @@ whether they are current. What a block shows is never edited by hand.
 
 from __future__ import annotations
 
+import ast
 import itertools
 import re
 import sys
@@ -18,6 +19,7 @@ from verbteach.dialogue.moves import ROBOT_MOVES, TEACHER_MOVES, Phase
 from verbteach.dialogue.rewards import Rewards
 
 ROOT = Path(__file__).resolve().parent.parent
+ROOMS = ("core", "scenarios", "sessions", "tui")
 PAGE = ROOT / "docs" / "architecture.md"
 _BLOCK = re.compile(r"(<!-- generated: (?P<name>[a-z ]+) -->\n).*?(<!-- end -->)", re.DOTALL)
 
@@ -45,6 +47,22 @@ def _node(module: str) -> str:
 
 def _id(module: str) -> str:
     return module.replace(".", "_") + "_layer"
+
+
+def packages() -> str:
+    """Every package with what its own first line says of it."""
+    folders = [path.parent for room in ROOMS for path in sorted((ROOT / room).rglob("__init__.py"))]
+    rows = [(f"`{_dotted(folder)}`", _summary(folder / "__init__.py")) for folder in folders]
+    return _table(("package", "what it is"), rows)
+
+
+def _dotted(folder: Path) -> str:
+    return ".".join(folder.relative_to(ROOT).parts[1:])
+
+
+def _summary(file: Path) -> str:
+    doc = ast.get_docstring(ast.parse(file.read_text("utf-8"))) or ""
+    return " ".join(doc.split("\n\n")[0].split()).replace("``", "`")
 
 
 def phases() -> str:
@@ -83,6 +101,7 @@ def prices() -> str:
 
 BLOCKS: Mapping[str, Callable[[], str]] = {
     "layers": layers,
+    "packages": packages,
     "phases": phases,
     "moves": moves,
     "prices": prices,
