@@ -52,7 +52,7 @@ STRONG = SelectionParameters(
 VARIANTS: Mapping[str, Variant] = {
     variant.name: variant
     for variant in (
-        Variant("she16", selection=STRONG).with_objects(ObjectSet.MANIPULATED),
+        Variant("she16", selection=STRONG, reenacts=True).with_objects(ObjectSet.MANIPULATED),
         Variant("she16-all"),
     )
 }
