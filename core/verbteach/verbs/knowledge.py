@@ -26,8 +26,8 @@ class Use(NamedTuple):
     general was kept of it; ``confirmed``: its teacher confirmed that goal.
     """
 
-    binding: Binding
     demonstration: Demonstration
+    binding: Binding
     base: bool
     leaf: bool
     confirmed: bool
@@ -94,10 +94,7 @@ class FrameSpace:
     @cached_property
     def nodes(self) -> Mapping[Lifted, HypothesisNode]:
         """Every hypothesis, specific to general, then in the hypotheses' own order."""
-        found: dict[Lifted, HypothesisNode] = {}
-        for space in self.spaces:
-            _merge(found, space)
-        return _in_order(found)
+        return _in_order(_merge({}, self.spaces))
 
     @cached_property
     def specific(self) -> Mapping[Lifted, frozenset[Lifted]]:
@@ -119,9 +116,8 @@ class FrameSpace:
         insort(spaces, space, key=lambda s: s.order)
         larger = FrameSpace(self.key, tuple(spaces))
         if "nodes" in self.__dict__:
-            nodes = dict(self.nodes)
-            _merge(nodes, space)
-            larger.__dict__["nodes"] = _in_order(nodes)
+            touched = _merge(self.nodes, [space])
+            larger.__dict__["nodes"] = _in_order({**self.nodes, **touched})
         return larger
 
     def without(self, space: HypothesisSpace) -> FrameSpace:
@@ -135,21 +131,45 @@ def _demonstrations(uses: Iterable[Use]) -> int:
     return len({use.demonstration for use in uses})
 
 
-def _merge(nodes: dict[Lifted, HypothesisNode], space: HypothesisSpace) -> None:
-    """Add one space to ``nodes``, replacing the nodes it touches."""
-    lower: dict[int, set[Lifted]] = defaultdict(set)
-    for upper, one in space.edges:
-        lower[upper].add(space.nodes[one].literals)
-    for index, (literals, bindings) in enumerate(space.nodes):
-        old = nodes.get(literals) or HypothesisNode(literals)
-        kind = (index == 0, index in space.general, index == 0 and space.confirmed)
-        new = [Use(binding, space.demonstration, *kind) for binding in bindings]
-        nodes[literals] = HypothesisNode(
-            literals,
-            tuple(sorted([*old.uses, *new])),
-            old.frequency + 1,
-            old.general | lower[index],
-        )
+def _merge(
+    known: Mapping[Lifted, HypothesisNode], spaces: Iterable[HypothesisSpace]
+) -> dict[Lifted, HypothesisNode]:
+    """The nodes that the spaces touch, as they are with them."""
+    found: dict[Lifted, _Growing] = {}
+    for space in spaces:
+        lower: dict[int, list[Lifted]] = defaultdict(list)
+        for upper, one in space.edges:
+            lower[upper].append(space.nodes[one].literals)
+        for index, (literals, bindings) in enumerate(space.nodes):
+            if literals not in found:
+                found[literals] = _Growing(known.get(literals) or HypothesisNode(literals))
+            first = index == 0
+            kind = (first, index in space.general, first and space.confirmed)
+            uses = [Use(space.demonstration, binding, *kind) for binding in bindings]
+            found[literals].add(uses, lower[index])
+    return {literals: growing.node for literals, growing in found.items()}
+
+
+class _Growing:
+    """A node that demonstrations are being added to."""
+
+    def __init__(self, node: HypothesisNode) -> None:
+        self._literals = node.literals
+        self._uses = list(node.uses)
+        self._frequency = node.frequency
+        self._general = set(node.general)
+
+    def add(self, uses: Iterable[Use], general: Iterable[Lifted]) -> None:
+        """Add one demonstration's uses, and what it links the node to."""
+        self._uses += uses
+        self._frequency += 1
+        self._general.update(general)
+
+    @property
+    def node(self) -> HypothesisNode:
+        """The node as it is now."""
+        uses, general = tuple(sorted(self._uses)), frozenset(self._general)
+        return HypothesisNode(self._literals, uses, self._frequency, general)
 
 
 def _in_order(nodes: Mapping[Lifted, HypothesisNode]) -> dict[Lifted, HypothesisNode]:

@@ -66,8 +66,9 @@ def variables_of(hypothesis: Lifted) -> frozenset[int]:
 
 def rename(literals: Iterable[Literal], names: Mapping[str, str]) -> Iterable[Literal]:
     """Replace words in the literals' arguments, those that ``names`` knows."""
+    known = names.get
     for (predicate, args), positive in literals:
-        yield Literal(Fluent(predicate, tuple(names.get(a, a) for a in args)), positive)
+        yield Literal(Fluent(predicate, tuple(map(known, args, args))), positive)
 
 
 def lift(goal: Goal, grounding: Sequence[str], setting: Setting) -> tuple[Lifted, Binding]:

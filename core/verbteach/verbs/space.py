@@ -84,9 +84,9 @@ class HypothesisSpace:
         return frozenset(range(len(self.nodes))) - {upper for upper, _ in self.edges}
 
     @property
-    def order(self) -> tuple[str, str]:
-        """What knowledge sorts spaces by."""
-        return (self.demonstration.id, self.digest)
+    def order(self) -> tuple[Any, ...]:
+        """What knowledge sorts spaces by: the demonstration, then everything else."""
+        return (self.demonstration, self.base, self.nodes, self.edges, self.confirmed)
 
     def to_json(self) -> dict[str, Any]:
         """Plain JSON values."""
