@@ -17,26 +17,23 @@ from typing import Any
 
 import numpy as np
 
-from verbteach.dialogue import execution_inquiry, learning_inquiry
 from verbteach.dialogue.acts import IncludeFluent
 from verbteach.dialogue.execution_inquiry import ExecutionInquiry
 from verbteach.dialogue.learning_inquiry import LearningInquiry
 from verbteach.experiments.interactive import Dialogue, carry_out, hold
 from verbteach.experiments.interactive_bench import Bench
-from verbteach.experiments.interactive_training import Practice, TrainingParameters, train
+from verbteach.experiments.interactive_training import Practice, Trained, TrainingParameters, train
 from verbteach.experiments.sight import Sight, stream
 from verbteach.experiments.simulated_human import HumanParameters, SimulatedHuman
 from verbteach.perception.noise import NoiseModel
 from verbteach.policy.asking_policy import AskingPolicy
 from verbteach.policy.fixed_rules import ManualPolicy, RandomPolicy, SilentPolicy, SplitPolicy
-from verbteach.policy.linear import FeatureSpace, LinearPolicy, Weights
+from verbteach.policy.linear import LinearPolicy, Weights
+from verbteach.policy.weights_file import EXECUTION, LEARNING
 from verbteach.verbs.examples import Example, Memory
 from verbteach.verbs.instance import Instance
 from verbteach.verbs.lifting import lift
 from verbteach.verbs.space import Demonstration
-
-EXECUTION = FeatureSpace(tuple(execution_inquiry.FEATURES))
-LEARNING = FeatureSpace(tuple(learning_inquiry.FEATURES))
 
 
 @dataclass(frozen=True)
@@ -114,6 +111,33 @@ def run(bench: Bench, config: Config) -> Result:
     return _Run(bench, config).result()
 
 
+@dataclass(frozen=True)
+class Learned:
+    """Both phases' policies, trained with nothing held out, and the verbs acquired in between."""
+
+    learning: Trained
+    execution: Trained
+    taught: tuple[Taught, ...]
+
+
+def learn(bench: Bench, configs: Sequence[Config]) -> Learned:
+    """Train both policies on every instance of the bench, as each configuration has it.
+
+    Configurations differ in noise, so that one policy meets every level; the
+    first one's training parameters and seed hold. A command is practised
+    without examples from its own environment. Raises ``ValueError`` where
+    there is nothing to practise on.
+    """
+    runs = [_Run(bench, config) for config in configs]
+    first = runs[0]
+    shown = [practice for one in runs for practice in one.demonstrations()]
+    learning = train(shown, LEARNING, first.config.training, first.draws("learning"))
+    policy = LinearPolicy(learning.weights)
+    commanded = [practice for one in runs for practice in one.commands(policy)]
+    execution = train(commanded, EXECUTION, first.config.training, first.draws("execution"))
+    return Learned(learning, execution, tuple(taught for one in runs for taught in one.taught))
+
+
 class _Acquired(dict[str, Example]):
     """Examples by instance id."""
 
@@ -142,6 +166,21 @@ class _Run:
             dict(sorted(questions.items())),
         )
         return Result(tuple(tested), taught, self.weights)
+
+    def demonstrations(self) -> list[Practice[LearningInquiry]]:
+        """Every demonstration as a situation to practise on."""
+        return [self._demonstration_practice(i) for i in self.bench.instances]
+
+    def commands(self, policy: AskingPolicy) -> list[Practice[ExecutionInquiry]]:
+        """Every command as one, with the verbs that ``policy`` acquires in the others' rooms."""
+        self.lessons = list(self.bench.instances)
+        acquired = self._acquire(policy)
+        memories = {name: self._memory(acquired, {name}) for name in self.environments}
+        return [self._command_practice(i, memories[i.environment]) for i in self.bench.instances]
+
+    def draws(self, *names: str) -> np.random.Generator:
+        """A generator for what the names tell apart, from the configuration's seed and run."""
+        return stream(self.config.seed, self.config.run, *names)
 
     def _parts(self) -> tuple[list[Instance], list[Instance]]:
         """The instances that teach the policy, and those that teach verbs."""
@@ -186,7 +225,7 @@ class _Run:
         if not self._learns:
             return _rule(self.config)
         situations = [self._demonstration_practice(i) for i in practice]
-        rng = self._stream("learning", name)
+        rng = self.draws("learning", name)
         trained = train(situations, LEARNING, self.config.training, rng)
         return self._keep("learning " + name, trained.weights)
 
@@ -204,7 +243,7 @@ class _Run:
             for environment in sorted({i.environment for i in practice})
         }
         situations = [self._command_practice(i, memories[i.environment]) for i in practice]
-        rng = self._stream("execution", name)
+        rng = self.draws("execution", name)
         trained = train(situations, EXECUTION, self.config.training, rng)
         return self._keep("execution " + name, trained.weights)
 
@@ -236,7 +275,7 @@ class _Run:
         for instance in self.lessons:
             human = self._human(instance)
             start = self.bench.demonstration(instance, self.sight)
-            rng = self._stream("acquire", instance.id)
+            rng = self.draws("acquire", instance.id)
             held = hold(start, policy, human, self.config.training.priced, rng)
             questions.update(held.questions)
             if isinstance(held.ended_with, IncludeFluent):
@@ -263,7 +302,7 @@ class _Run:
     def _test(self, instance: Instance, memory: Memory, policy: AskingPolicy) -> Tested:
         human = self._human(instance)
         start = self.bench.command(instance, self.sight, memory)
-        rng = self._stream("test", instance.id)
+        rng = self.draws("test", instance.id)
         held = hold(start, policy, human, self.config.training.priced, rng)
         carried = carry_out(held.state, human, self.bench.gold(instance))
         pool = held.state.pool
@@ -280,9 +319,6 @@ class _Run:
 
     def _human(self, instance: Instance) -> SimulatedHuman:
         return SimulatedHuman(instance, self.bench.room(instance), self.config.human)
-
-    def _stream(self, *names: str) -> np.random.Generator:
-        return stream(self.config.seed, self.config.run, *names)
 
 
 def _rule(config: Config) -> AskingPolicy:

@@ -87,11 +87,15 @@ class Practice(Generic[Phase]):
 
 @dataclass(frozen=True)
 class Trained:
-    """What was learned, and the return of each dialogue in the paper's rewards."""
+    """What was learned, and the return of each dialogue in the paper's rewards.
+
+    ``covariance`` is the posterior's (features x features) where the learner has one.
+    """
 
     weights: Weights
     returns: tuple[float, ...]
     questions: tuple[int, ...]
+    covariance: tuple[tuple[float, ...], ...] | None = None
 
 
 def train(
@@ -127,7 +131,11 @@ def train(
     if parameters.learner == "lspi":
         levels = len(practice) if parameters.levels else 0
         values = lspi(log, size, parameters.gamma, situations=levels)
-    return Trained(Weights(space, tuple(values.tolist())), tuple(returns), tuple(questions))
+    covariance = None
+    if isinstance(learner, BayesianTD):
+        covariance = tuple(tuple(row) for row in learner.covariance.tolist())
+    weights = Weights(space, tuple(values.tolist()))
+    return Trained(weights, tuple(returns), tuple(questions), covariance)
 
 
 def steps(dialogue: Dialogue[Phase], space: FeatureSpace, situation: int = 0) -> Iterator[Step]:
