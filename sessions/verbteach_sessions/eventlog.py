@@ -149,11 +149,11 @@ class EventLog:
         self._failure: StorageError | None = None
 
     @classmethod
-    def create(cls, folder: Path) -> EventLog:
+    def create(cls, folder: Path, name: str = LOG_NAME) -> EventLog:
         """An empty log in ``folder``, which exists and holds none."""
         lock = WriterLock(folder)
         try:
-            path = folder / LOG_NAME
+            path = folder / name
             fd = open_private(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL | os.O_APPEND)
             with _storage(path):
                 sync_folder(folder)

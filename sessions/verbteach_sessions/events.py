@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from verbteach_sessions.shapes import (
+    ANSWER,
     FLAG,
     INTEGER,
     NUMBER,
@@ -38,6 +39,7 @@ FAULT = "fault"
 RESUME = "resume"
 REBUILD = "rebuild"
 END = "end"
+QUESTIONNAIRE = "questionnaire"
 
 RECORD = Shape(
     "record",
@@ -265,6 +267,20 @@ _TYPES = (
         ),
     ),
     Shape(END, "The session was left in good order.", _PERSON),
+    Shape(
+        QUESTIONNAIRE,
+        "What the person answered about the session, mostly after its end. The last one counts.",
+        (
+            Field("name", TEXT, "which questionnaire", content=True),
+            Field(
+                "answers",
+                mapping_of(ANSWER),
+                "ratings (0 to 100) and free texts by the question; null where none was given",
+                content=True,
+            ),
+            Field("seconds", NUMBER, "how long the person took"),
+        ),
+    ),
 )
 
 EVENT_TYPES: Mapping[str, Shape] = {one.name: one for one in _TYPES}

@@ -68,7 +68,7 @@ class History:
             raise OrderError(f"there is no event type {event.type!r}")
         if (event.type == kinds.HEADER) != (self.header is None):
             raise OrderError("a session begins with its header and has only one")
-        if self.ended and event.type != kinds.RESUME:
+        if self.ended and event.type not in (kinds.RESUME, kinds.QUESTIONNAIRE):
             raise OrderError("the session had ended")
         take(self, event)
         self.last = event
@@ -184,6 +184,9 @@ class History:
             raise OrderError("does not start from the turn that held")
         self.root = event
 
+    def _take_questionnaire(self, event: Event) -> None:
+        """It stands beside everything, and neither ends nor opens a session."""
+
     def _take_end(self, event: Event) -> None:
         self._idle(event)
         self.ended = True
@@ -210,4 +213,5 @@ _TAKERS: Mapping[str, Callable[[History, Event], None]] = {
     kinds.RESUME: History._take_resume,
     kinds.REBUILD: History._take_rebuild,
     kinds.END: History._take_end,
+    kinds.QUESTIONNAIRE: History._take_questionnaire,
 }

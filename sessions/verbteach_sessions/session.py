@@ -130,6 +130,10 @@ class Session:
         """Session time in seconds: it stands still while the session is closed."""
         return self._recorder.now()
 
+    def turns(self) -> tuple[Node, ...]:
+        """The turns that hold, from the first to the one on the screen."""
+        return self._fold.history.effective()
+
     def transcript(self) -> tuple[Line, ...]:
         """What was said and still holds, in order; notes stay when their turn is undone."""
         return transcript(self._fold.history, self.header.method.parameters.rewards)

@@ -136,6 +136,7 @@ NUMBER = _plain("number", _is_number)
 FLAG = _plain("true or false", lambda value: type(value) is bool)
 OBJECT = Kind("object", _object_problems)
 TEXTS = list_of(TEXT)
+ANSWER = _plain("integer, text or null", lambda value: type(value) in (int, str, type(None)))
 
 
 def depth(value: Any) -> int:
