@@ -142,6 +142,8 @@ def _fair(event: Event, teacher: Event, before: History) -> set[float]:
     if acts.AskAgain.name in [one.get("act") for one in event.data["acts"]]:
         return {0.0}
     in_question = waiting in {kind.name for kind in acts.QUESTIONS}
+    if waiting == acts.IncludeFluent.name and isinstance(act, acts.Good):
+        return {yes, otherwise, 0.0}  # right as read back, right once corrected, called wrong before
     earns = _EARNS.get(type(act), _nothing)
     return earns(yes, otherwise, in_question)
 

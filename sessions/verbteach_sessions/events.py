@@ -41,12 +41,30 @@ REBUILD = "rebuild"
 END = "end"
 QUESTIONNAIRE = "questionnaire"
 
+PRACTICE = Shape(
+    "practice",
+    "One step that the question policy learned from.",
+    (
+        Field("phase", TEXT, "`execution` or `learning`"),
+        Field("seen", mapping_of(NUMBER), "features of the act, less those of the next, discounted"),
+        Field("reward", NUMBER, "what the learner was told, in hundreds, at its own prices"),
+        Field("delta", NUMBER, "how far that was from what it expected"),
+        Field("weights", mapping_of(NUMBER), "the phase's weights afterwards, by feature"),
+        Field("digest", TEXT, "the hash of both phases' weights afterwards"),
+    ),
+)
 RECORD = Shape(
     "record",
     "What was learned at one point; all records together give the robot's whole knowledge.",
     (
         Field("spaces", list_of(OBJECT), "the hypothesis spaces that came in, one a demonstration"),
         Field("experience", list_of(row_of(TEXT, TEXT)), "noun phrases and what they meant"),
+        Field(
+            "policy",
+            list_of(of_shape(PRACTICE)),
+            "what the question policy learned; missing where it learned nothing",
+            optional=True,
+        ),
     ),
 )
 SOURCE = Shape(
@@ -75,6 +93,12 @@ DECISION = Shape(
         Field("propensity", NUMBER, "the chosen act's probability under the policy"),
         Field("explored", FLAG, "whether it was chosen to explore"),
         Field("reason", TEXT, "the reason, where the policy gives one"),
+        Field(
+            "weights",
+            TEXT,
+            "the hash of the weights that chose; missing where there are none",
+            optional=True,
+        ),
     ),
 )
 PHRASE = Shape(
@@ -140,6 +164,7 @@ DIFFERENCE = Shape(
 )
 SHAPES = (
     RECORD,
+    PRACTICE,
     SOURCE,
     DECISION,
     CANDIDATE,

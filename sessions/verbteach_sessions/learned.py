@@ -3,26 +3,46 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
+from verbteach.policy.learned_policy import LearnedPolicy
 from verbteach.verbs.knowledge import VerbKnowledge
 from verbteach_sessions.content import ContentHash
 from verbteach_sessions.errors import LogError, NotASessionError
 from verbteach_sessions.eventlog import LogReader
-from verbteach_sessions.header import Source
+from verbteach_sessions.header import Header, Source
 from verbteach_sessions.history import History
 from verbteach_sessions.lines import Event
-from verbteach_sessions.method import knowledge_of
+from verbteach_sessions.method import knowledge_of, practised
 from verbteach_sessions.names import safe_name
 from verbteach_sessions.recomputing import EventError, check_fields
 
 Experience = Mapping[tuple[str, str], int]
 
 
+@dataclass(frozen=True)
+class Taught:
+    """What a session taught: the verbs, and how to ask where its policy is one that learns."""
+
+    source: Source
+    policy: LearnedPolicy | None
+
+
 def source_from(path: Path) -> Source:
-    """What ``path`` (a session's folder or log) taught, to begin another session with.
+    """The verbs that ``path`` (a session's folder or log) taught, to begin another session with.
 
     Nothing is recomputed. Raises the errors of reading a log.
+    """
+    return taught_by(path).source
+
+
+def taught_by(path: Path) -> Taught:
+    """What ``path`` (a session's folder or log) taught, to begin another session with.
+
+    Nothing is recomputed: the weights follow from the recorded steps. Raises
+    the errors of reading a log.
     """
     reader = LogReader(path)
     history, content = History(), ContentHash()
@@ -34,14 +54,22 @@ def source_from(path: Path) -> Source:
     records = (*header.data["learned_before"], *history.records())
     try:
         knowledge_of(records)
+        policy = practised(Header.from_json(header.data).method.policy, records)
     except ValueError as error:
         raise LogError(reader.path, 0, f"what was learned cannot be read, {error}") from error
-    return Source(safe_name(header.data["id"]), content.hexdigest, records)
+    # The weights travel in the next session's own header, as they have become.
+    verbs = tuple(_without_steps(record) for record in records)
+    source = Source(safe_name(header.data["id"]), content.hexdigest, verbs)
+    return Taught(source, policy if isinstance(policy, LearnedPolicy) else None)
 
 
 def knowledge_from(path: Path) -> tuple[VerbKnowledge, Experience]:
     """What a session's robot knew in the end: its verbs, and what phrases meant how often."""
     return knowledge_of(source_from(path).records)
+
+
+def _without_steps(record: Mapping[str, Any]) -> Mapping[str, Any]:
+    return {name: value for name, value in record.items() if name != "policy"}
 
 
 def _take(reader: LogReader, history: History, content: ContentHash, event: Event) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any
@@ -16,13 +16,28 @@ from verbteach.language.agreement import NoSecondReaderError
 from verbteach.perception.noise import NoiseModel
 from verbteach.policy.demonstration_only import DemonstrationOnlyPolicy
 from verbteach.policy.fixed_rules import ManualPolicy, RandomPolicy, SplitPolicy
+from verbteach.policy.learned_policy import LearnedPolicy
+from verbteach.policy.weights_file import PolicyWeights
 from verbteach.verbs.knowledge import VerbKnowledge
 from verbteach_sessions.errors import SessionError
 from verbteach_sessions.plain_values import ParameterError, from_plain, to_plain
 
-POLICIES: Mapping[str, type[Policy]] = {
+_RULES: Mapping[str, type[Policy]] = {
     kind.name: kind for kind in (DemonstrationOnlyPolicy, ManualPolicy, SplitPolicy, RandomPolicy)
 }
+
+
+def starting_policy(weights: PolicyWeights | None = None, *, frozen: bool = False) -> LearnedPolicy:
+    """The learned policy with these weights, else with those that come with the robot."""
+    if weights is None:
+        from verbteach_scenarios.weights import starting_weights
+
+        weights = starting_weights()
+    return LearnedPolicy.beginning(weights, frozen=frozen)
+
+
+POLICIES: Mapping[str, Callable[[], Policy]] = {LearnedPolicy.name: starting_policy, **_RULES}
+"""The question policies by name, each as it is without any choice of its own."""
 
 
 class UnknownPolicyError(SessionError):
@@ -44,7 +59,9 @@ class Method:
     @classmethod
     def named(cls, policy: str, parameters: RobotParameters | None = None) -> Method:
         """The method with a policy of this name. Raises :class:`UnknownPolicyError`."""
-        return cls(_kind(policy)(), parameters or RobotParameters())
+        if policy not in POLICIES:
+            raise UnknownPolicyError(f"no policy {policy!r}; there are {', '.join(POLICIES)}")
+        return cls(POLICIES[policy](), parameters or RobotParameters())
 
     def to_json(self) -> dict[str, Any]:
         """Plain JSON: ``policy``, ``seed``, ``noise`` and the other ``parameters``.
@@ -82,11 +99,22 @@ class Method:
         """A robot that has learned what the ``learned`` records say; it is in no scene yet."""
         knowledge, experience = knowledge_of(records)
         here = self.settings(settings)
-        return Robot(here, self.policy, self.parameters, knowledge, experience)
+        policy = practised(self.policy, records)
+        return Robot(here, policy, self.parameters, knowledge, experience)
 
     def with_noise(self, noise: NoiseModel) -> Method:
         """The same method with other eyes."""
         return replace(self, parameters=replace(self.parameters, noise=noise))
+
+
+def practised(policy: Policy, records: Sequence[Mapping[str, Any]]) -> Policy:
+    """The policy after what the records say it learned. Raises ``ValueError`` on a wrong one."""
+    if not isinstance(policy, LearnedPolicy):
+        return policy
+    for record in records:
+        for step in record.get("policy", ()):
+            policy = policy.after(step)
+    return policy
 
 
 def knowledge_of(
@@ -124,6 +152,7 @@ def _without_reader(settings: Settings) -> Settings:
 
 
 def _kind(policy: str) -> type[Policy]:
-    if policy not in POLICIES:
-        raise UnknownPolicyError(f"no policy {policy!r}; there are {', '.join(POLICIES)}")
-    return POLICIES[policy]
+    kinds: Mapping[str, type[Policy]] = {LearnedPolicy.name: LearnedPolicy, **_RULES}
+    if policy not in kinds:
+        raise UnknownPolicyError(f"no policy {policy!r}; there are {', '.join(kinds)}")
+    return kinds[policy]

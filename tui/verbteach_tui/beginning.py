@@ -19,20 +19,30 @@ if TYPE_CHECKING:
     from verbteach.dialogue.setting import Setting, Settings
     from verbteach.world.scene import Scene
     from verbteach_scenarios.nlp.second_opinion import SecondOpinion
+    from verbteach.policy.learned_policy import LearnedPolicy
     from verbteach_sessions.header import Source
+    from verbteach_sessions.learned import Taught
     from verbteach_sessions.method import Method
     from verbteach_sessions.session import Session
+
+LEARNED = "rl"
 
 
 @dataclass(frozen=True)
 class Choices:
-    """The method that a new session runs under, by the names on the command line."""
+    """The method that a new session runs under, by the names on the command line.
+
+    ``weights`` is a file for the policy ``rl`` to begin with; with ``freeze`` it
+    stays as it is.
+    """
 
     policy: str = "she16"
     noise: str = "perfect"
     noise_reading: str = "literal"
     seed: int = 0
     second_opinion: bool = False
+    weights: Path | None = None
+    freeze: bool = False
 
 
 @dataclass(frozen=True)
@@ -41,7 +51,7 @@ class Beginning:
 
     ``interface`` is where the session is held (app, plain, script, simulated),
     ``teacher`` who teaches. ``scenes`` is the person's own folder of scenes;
-    ``before`` a session whose verbs new ones start with. ``opened`` holds the
+    ``before`` a session whose verbs and weights new ones start with. ``opened`` holds the
     sessions of this run, the last one last.
     """
 
@@ -85,15 +95,35 @@ class Beginning:
             raise WrongUseError(f"this version has no policy {chosen.policy!r}; it has: {has}")
         noise = NoiseModel.named(chosen.noise, chosen.noise_reading)
         parameters = RobotParameters(seed=chosen.seed, noise=noise)
+        if chosen.policy == LEARNED:
+            return Method(self._learned_policy(), parameters, chosen.second_opinion)
+        if chosen.weights is not None or chosen.freeze:
+            raise WrongUseError(f"--weights and --freeze are for --policy {LEARNED}")
         named = Method.named(chosen.policy, parameters)
         return replace(named, second_opinion=chosen.second_opinion)
 
-    @cached_property
-    def source(self) -> Source | None:
-        """What the earlier session taught. Raises the errors of reading a record."""
-        from verbteach_sessions.learned import source_from
+    def _learned_policy(self) -> LearnedPolicy:
+        """As the file of weights has it, else as the earlier session left it, else as it comes."""
+        from verbteach_scenarios.weights import load_weights
+        from verbteach_sessions.method import starting_policy
 
-        return None if self.before is None else source_from(self.before)
+        chosen = self.choices
+        before = self._taught.policy if self._taught else None
+        if chosen.weights is None and before is not None:
+            return replace(before, frozen=chosen.freeze)
+        weights = None if chosen.weights is None else load_weights(chosen.weights)
+        return starting_policy(weights, frozen=chosen.freeze)
+
+    @property
+    def source(self) -> Source | None:
+        """The verbs that the earlier session taught. Raises the errors of reading a record."""
+        return self._taught.source if self._taught else None
+
+    @cached_property
+    def _taught(self) -> Taught | None:
+        from verbteach_sessions.learned import taught_by
+
+        return None if self.before is None else taught_by(self.before)
 
     def create(self, scene: str) -> Session:
         """A new session in a scene. Raises ``UnknownSceneError`` and ``SessionError``."""

@@ -33,6 +33,7 @@ def approve(draft: Draft) -> None:
     """The execution was right: the hypothesis and the grounding are confirmed."""
     act = _execution(draft.episode)
     draft.earn(draft.mind.parameters.rewards.of(act.name, positive=True))
+    draft.end_phase()
     space = lifted_space(
         described(draft, "executed"), (act.goal,), draft.mind.setting.surroundings, confirmed=True
     )
@@ -47,6 +48,7 @@ def disapprove(draft: Draft) -> None:
     """The execution was wrong: it costs, and its goal is not tried again for this command."""
     act = _execution(draft.episode)
     draft.earn(draft.mind.parameters.rewards.of(act.name, positive=False))
+    draft.end_phase()
     draft.update(rejected=draft.episode.rejected | {act.goal})
 
 

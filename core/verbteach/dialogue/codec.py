@@ -175,4 +175,5 @@ def decision_to_json(decision: Decision) -> dict[str, Any]:
         "propensity": decision.propensity,
         "explored": decision.explored,
         "reason": decision.reason,
+        **({"weights": decision.weights} if decision.weights else {}),
     }

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from verbteach.dialogue.acts import RobotAct
 
@@ -12,23 +12,29 @@ from verbteach.dialogue.acts import RobotAct
 class Candidate:
     """An act the robot could take, its named features and its value under the policy.
 
-    ``value`` is Q(s, a) where the policy has one, else ``None``.
+    ``value`` is Q(s, a) where the policy has one, else ``None``; ``shares`` are
+    then the features' parts of it, weight times feature, which sum to it.
     """
 
     act: RobotAct
     features: Mapping[str, float]
     value: float | None = None
+    shares: Mapping[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
 class Decision:
-    """One choice. ``propensity`` is the chosen act's probability under the policy."""
+    """One choice. ``propensity`` is the chosen act's probability under the policy.
+
+    ``weights`` is the digest of the weights that gave the values, where the policy has any.
+    """
 
     candidates: tuple[Candidate, ...]
     chosen: int
     propensity: float = 1.0
     explored: bool = False
     reason: str = ""
+    weights: str = ""
 
     @property
     def act(self) -> RobotAct:

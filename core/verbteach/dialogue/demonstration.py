@@ -24,6 +24,7 @@ def request(draft: Draft, reason: DemonstrationReason) -> None:
     """Ask to be shown, from the world as it was before the command."""
     episode = draft.episode
     restored = draft.state.world != episode.start
+    draft.end_phase()
     draft.remember(world=episode.start)
     draft.update(
         demonstrated=Demonstrated((), (episode.start,)),

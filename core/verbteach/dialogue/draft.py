@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -12,9 +12,9 @@ from verbteach.dialogue.acts import RobotAct
 from verbteach.dialogue.decision import Candidate, Decision
 from verbteach.dialogue.moves import Phase
 from verbteach.dialogue.parameters import RobotParameters
-from verbteach.dialogue.policy import Policy
+from verbteach.dialogue.policy import Policy, Taken
 from verbteach.dialogue.setting import Setting
-from verbteach.dialogue.state import EpisodeState, RobotState, Totals
+from verbteach.dialogue.state import EpisodeState, Pending, RobotState, Totals
 from verbteach.dialogue.turn import Trace
 from verbteach.verbs.space import HypothesisSpace
 
@@ -44,6 +44,7 @@ class Draft:
     decisions: list[Decision] = field(default_factory=list)
     learned: list[HypothesisSpace] = field(default_factory=list)
     experience: list[tuple[str, str]] = field(default_factory=list)
+    practice: list[Mapping[str, Any]] = field(default_factory=list)
     reading: str = ""
     reward: float = 0.0
     trace: Trace | None = None
@@ -84,13 +85,44 @@ class Draft:
         self.reward += reward
         if self.state.episode is not None:
             self.update(reward=self.episode.reward + reward)
+            if self.episode.pending is not None:
+                pending = self.episode.pending
+                self.update(pending=pending._replace(reward=pending.reward + reward))
         self.count(reward=reward)
 
-    def choose(self, candidates: Sequence[Candidate]) -> RobotAct:
-        """Let the policy choose, and keep the decision for the record."""
-        decision = self.mind.policy.choose(self.episode, candidates, self._rng())
+    @property
+    def policy(self) -> Policy:
+        """The policy as it is now."""
+        return self.state.policy or self.mind.policy
+
+    def choose(self, candidates: Sequence[Candidate], phase: Phase) -> RobotAct:
+        """Let the policy choose, keep the decision, and learn from the choice before it.
+
+        As in Algorithm 1 of She & Chai (2017), the next act is chosen before the weights change.
+        """
+        self.update(phase=phase)
+        decision = self.policy.choose(self.episode, candidates, self._rng())
         self.decisions.append(decision)
+        features = decision.candidates[decision.chosen].features
+        self._learn(phase.value, features)
+        if self.state.policy is not None:
+            self.update(pending=Pending(phase.value, features))
         return decision.act
+
+    def end_phase(self) -> None:
+        """The last choice led to no other: learn from what it earned."""
+        self._learn("", None)
+
+    def _learn(self, phase: str, following: Mapping[str, float] | None) -> None:
+        pending, policy = self.episode.pending, self.state.policy
+        if pending is None or policy is None:
+            return
+        ends = following if pending.phase == phase else None
+        policy, record = policy.told(Taken(pending.phase, pending.features, pending.reward, ends))
+        if record is not None:
+            self.practice.append(record)
+        self.remember(policy=policy)
+        self.update(pending=None)
 
     def _rng(self) -> np.random.Generator:
         """Draws depend on the seed, the episode and how far it has come, on nothing else."""

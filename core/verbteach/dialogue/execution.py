@@ -22,7 +22,7 @@ from verbteach.dialogue.proposals import (
     being_shown,
     grounding_questions,
     hypothesis,
-    nothing_fits,
+    unknown_words,
 )
 from verbteach.dialogue.questions import ask
 from verbteach.dialogue.seeing import perceived
@@ -59,26 +59,29 @@ def begin(draft: Draft, command: str, frame: VerbFrame) -> None:
 
 def deliberate(draft: Draft) -> None:
     """One step of the execution phase: the policy chooses among what matters now."""
-    if draft.mind.asks and draft.episode.frame.verb in draft.state.knowledge.verbs:
-        _deliberate_asking(draft)
-    else:
+    if not draft.mind.asks:
         _deliberate_plainly(draft)
+    elif (unclear := unknown_words(draft)) is not None:
+        draft.decisions.append(unclear)
+        ask(draft, unclear.act, Phase.EXECUTION)
+    elif draft.episode.frame.verb not in draft.state.knowledge.verbs:
+        demonstration.request(draft, DemonstrationReason.UNKNOWN_VERB)
+    else:
+        _deliberate_asking(draft)
 
 
 def _deliberate_asking(draft: Draft) -> None:
-    """Words that nothing fits are asked about first; then the policy has every question."""
-    unknown = [one for one in grounding_questions(draft) if nothing_fits(one)]
-    if unknown:
-        ask(draft, draft.choose(unknown), Phase.EXECUTION)
-        return
+    """The policy chooses among all questions and the goal it would carry out."""
     inquiry = execution_inquiry(draft)
     ranked = () if inquiry.pool.empty else inquiry.pool.goals(_CONSIDERED)
     draft.update(goals=tuple(RankedGoal(goal, value) for goal, value in ranked))
-    act = draft.choose(inquiry.candidates())
+    act = draft.choose(inquiry.candidates(), Phase.EXECUTION)
     if isinstance(act, QUESTIONS):
         ask(draft, act, Phase.EXECUTION)
-    else:
+    elif isinstance(act, SelectHypo):
         _do_the_best(draft, inquiry.believed)
+    else:
+        demonstration.request(draft, _reason(draft, _candidates(draft), None))
 
 
 def _do_the_best(draft: Draft, believed: State) -> None:
@@ -106,7 +109,7 @@ def _deliberate_plainly(draft: Draft) -> None:
         *([hypothesis(selection)] if selection else []),
         being_shown(_reason(draft, wanted, selection)),
     ]
-    act = draft.choose(options)
+    act = draft.choose(options, Phase.EXECUTION)
     if isinstance(act, NpGrdWhq | NpGrdYnq):
         ask(draft, act, Phase.EXECUTION)
     elif isinstance(act, SelectHypo):

@@ -58,7 +58,7 @@ def sum_up(draft: Draft) -> None:
 def deliberate(draft: Draft) -> None:
     """One step of the learning phase: the policy chooses among questions and the goal."""
     read_back = _first_reading(draft)
-    act = draft.choose(_options(draft, read_back))
+    act = draft.choose(_options(draft, read_back), Phase.LEARNING)
     if isinstance(act, QUESTIONS):
         ask(draft, act, Phase.LEARNING)
     else:
@@ -103,17 +103,20 @@ def reject(draft: Draft) -> None:
     read_back = _read_back(draft)
     if not read_back.rejected:
         draft.earn(draft.mind.parameters.rewards.of(IncludeFluent.name, positive=False))
+        draft.end_phase()
     draft.update(read_back=replace(read_back, rejected=True))
     draft.wait(ReviseGoal(read_back.goal), Phase.READ_BACK)
 
 
 def accept(draft: Draft) -> None:
-    """The goal is right: the verb is kept."""
+    """The goal is right: the verb is kept. It was wrong at first if the teacher corrected it."""
     read_back = _read_back(draft)
     if not read_back.goal:
         raise IllegalMoveError("nothing is left of the goal; keep something, show again or skip")
     if not read_back.rejected:
-        draft.earn(draft.mind.parameters.rewards.of(IncludeFluent.name, positive=True))
+        right = read_back.goal == read_back.first
+        draft.earn(draft.mind.parameters.rewards.of(IncludeFluent.name, positive=right))
+        draft.end_phase()
     before = draft.state.knowledge
     confirmed = lifted_space(
         described(draft, "confirmed"),
@@ -149,7 +152,8 @@ def _first_reading(draft: Draft) -> ReadBack:
     more = {act.literal for act in wanted if isinstance(act, GoalRelevantYnq)}
     less = {act.literal for act in unwanted if isinstance(act, GoalRelevantYnq)}
     edited = bool(more - goal or less & goal)
-    return ReadBack(whole, (goal | more) - less, space, edited=edited)
+    said = (goal | more) - less
+    return ReadBack(whole, said, space, said, edited=edited)
 
 
 def _smallest(draft: Draft, space: HypothesisSpace) -> Goal:

@@ -1,9 +1,10 @@
-"""The interface of question policies: given what may be done, choose."""
+"""The interface of question policies: given what may be done, choose; and learn from what came."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Protocol
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol, Self, runtime_checkable
 
 import numpy as np
 
@@ -29,6 +30,38 @@ class Policy(Protocol):
     ) -> Decision:
         """Choose one of ``candidates``, of which there is at least one.
 
-        Every draw comes from ``rng``; equal arguments give equal decisions.
+        ``episode.phase`` says which phase it is. Every draw comes from ``rng``;
+        equal arguments give equal decisions.
+        """
+        ...
+
+
+@dataclass(frozen=True)
+class Taken:
+    """An act that was taken, what it earned, and the act that was taken next.
+
+    ``phase`` is ``execution`` or ``learning``; ``features`` are the act's.
+    ``following`` are the next act's features, ``None`` where the phase ended.
+    """
+
+    phase: str
+    features: Mapping[str, float]
+    reward: float
+    following: Mapping[str, float] | None = None
+
+
+@runtime_checkable
+class LearningPolicy(Policy, Protocol):
+    """A policy that changes with every turn; a value, so that going back to one is exact."""
+
+    @property
+    def digest(self) -> str:
+        """SHA-256 of all that it has learned."""
+        ...
+
+    def told(self, taken: Taken) -> tuple[Self, Mapping[str, Any] | None]:
+        """The policy after one step, and a JSON-ready record of what changed.
+
+        A policy that is held as it is answers with itself and no record.
         """
         ...

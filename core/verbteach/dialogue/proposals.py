@@ -16,7 +16,7 @@ from verbteach.dialogue.acts import (
     RobotAct,
     SelectHypo,
 )
-from verbteach.dialogue.decision import Candidate
+from verbteach.dialogue.decision import Candidate, Decision
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.state import EpisodeState
 from verbteach.verbs.selection import Selection
@@ -53,8 +53,15 @@ def _about(episode: EpisodeState, phrase: str, asked: list[RobotAct]) -> Iterato
         )
 
 
-def nothing_fits(candidate: Candidate) -> bool:
-    """Whether it asks about words that no object fits, or that had to be guessed."""
+def unknown_words(draft: Draft) -> Decision | None:
+    """To ask about words that no object fits, or that had to be guessed: no policy weighs that."""
+    options = tuple(one for one in grounding_questions(draft) if _nothing_fits(one))
+    if not options:
+        return None
+    return Decision(options, 0, reason="I do not know a thing here by these words")
+
+
+def _nothing_fits(candidate: Candidate) -> bool:
     features = candidate.features
     return features.get("candidates") == 0.0 or features.get("guessed", 0.0) > 0.0
 

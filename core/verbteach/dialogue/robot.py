@@ -25,7 +25,7 @@ from verbteach.dialogue.draft import Draft, Mind
 from verbteach.dialogue.explanation import explain
 from verbteach.dialogue.moves import Phase, check_teacher_act
 from verbteach.dialogue.parameters import RobotParameters
-from verbteach.dialogue.policy import Policy
+from verbteach.dialogue.policy import LearningPolicy, Policy
 from verbteach.dialogue.setting import Setting, Settings
 from verbteach.dialogue.state import RobotState
 from verbteach.dialogue.turn import RobotTurn
@@ -82,7 +82,10 @@ class Robot:
         """Begin in a scene, found as it starts. Raises ``UnknownSceneError``."""
         world = self.settings(scene_id).scene.initial
         empty = RobotTurn((), (), Phase.COMMAND)
-        state = RobotState(scene_id, world, empty, self._knowledge, self._experience)
+        learning = self.policy if isinstance(self.policy, LearningPolicy) else None
+        state = RobotState(
+            scene_id, world, empty, self._knowledge, self._experience, policy=learning
+        )
         return self._turn(state, await_command)
 
     def receive(self, act: TeacherAct) -> RobotTurn:
@@ -150,11 +153,12 @@ def _finished(draft: Draft) -> RobotState:
 
 
 def _learned(draft: Draft) -> Mapping[str, Any] | None:
-    if not draft.learned and not draft.experience:
+    if not (draft.learned or draft.experience or draft.practice):
         return None
     return {
         "spaces": [space.to_json() for space in draft.learned],
         "experience": [list(pair) for pair in draft.experience],
+        **({"policy": [dict(one) for one in draft.practice]} if draft.practice else {}),
     }
 
 

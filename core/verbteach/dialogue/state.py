@@ -11,7 +11,7 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from verbteach.dialogue.acts import IncludeFluent, RobotAct, SelectHypo
 from verbteach.dialogue.codec import goal_to_json, robot_act_to_json
@@ -24,6 +24,9 @@ from verbteach.verbs.knowledge import VerbKnowledge
 from verbteach.verbs.space import HypothesisSpace
 from verbteach.world.fluents import Goal, State
 from verbteach.world.plan import Action
+
+if TYPE_CHECKING:
+    from verbteach.dialogue.policy import LearningPolicy
 
 
 class RankedGoal(NamedTuple):
@@ -40,6 +43,14 @@ class Exchange(NamedTuple):
     answer: str
 
 
+class Pending(NamedTuple):
+    """An act that the policy has chosen, with what it has earned; it is learned from next."""
+
+    phase: str
+    features: Mapping[str, float]
+    reward: float = 0.0
+
+
 @dataclass(frozen=True)
 class Demonstrated:
     """A demonstration under way or over: its steps and the worlds between them."""
@@ -54,13 +65,14 @@ class ReadBack:
 
     ``whole`` is the demonstrated change, ``goal`` the part that the robot
     takes for the verb's goal and reads back; ``space`` is the demonstration's
-    hypothesis space, or ``None`` where none could be made. ``rejected``: the
-    teacher has called the goal wrong once.
+    hypothesis space, or ``None`` where none could be made. ``first`` is the
+    goal as it was read back first. ``rejected``: the teacher has called it wrong.
     """
 
     whole: Goal
     goal: Goal
     space: HypothesisSpace | None
+    first: Goal = frozenset()
     rejected: bool = False
     edited: bool = False
 
@@ -92,6 +104,7 @@ class EpisodeState:
     demonstrated: Demonstrated | None = None
     read_back: ReadBack | None = None
     reward: float = 0.0
+    pending: Pending | None = None
 
     @property
     def phrases(self) -> tuple[str, ...]:
@@ -126,6 +139,7 @@ class RobotState:
     ``clauses`` are the clauses still to come; ``suggested`` is a command the
     robot has offered instead of one it could not read, and ``offered`` its
     clauses where they are the robot's own reading, which a second one disputes.
+    ``policy`` is the question policy as it has learned to be, where it learns.
     """
 
     scene: str
@@ -140,6 +154,7 @@ class RobotState:
     suggested: str = ""
     offered: tuple[VerbFrame, ...] = ()
     totals: Totals = field(default_factory=Totals)
+    policy: LearningPolicy | None = None
 
     @cached_property
     def digest(self) -> str:
@@ -165,6 +180,7 @@ def state_to_json(state: RobotState) -> dict[str, Any]:
         "suggested": state.suggested,
         # Absent where nothing is disputed: digests are then as they were before there was this.
         **({"offered": [repr(clause) for clause in state.offered]} if state.offered else {}),
+        **({"policy": state.policy.digest} if state.policy else {}),
         "totals": vars(state.totals),
         "episode": None if episode is None else _episode(episode),
     }
@@ -186,7 +202,12 @@ def _episode(episode: EpisodeState) -> dict[str, Any]:
         "demonstrated": None if shown is None else [str(action) for action in shown.actions],
         "read_back": None if episode.read_back is None else _read_back(episode.read_back),
         "reward": episode.reward,
+        **({"pending": _pending(episode.pending)} if episode.pending else {}),
     }
+
+
+def _pending(pending: Pending) -> list[Any]:
+    return [pending.phase, dict(pending.features), pending.reward]
 
 
 def _read_back(read_back: ReadBack) -> dict[str, Any]:
@@ -195,6 +216,7 @@ def _read_back(read_back: ReadBack) -> dict[str, Any]:
         "whole": goal_to_json(read_back.whole),
         "rejected": read_back.rejected,
         "edited": read_back.edited,
+        **({"first": goal_to_json(read_back.first)} if read_back.edited else {}),
     }
 
 

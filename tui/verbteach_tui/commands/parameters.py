@@ -46,7 +46,14 @@ NoiseReading = Annotated[
     typer.Option("--noise-reading", help="How the noise is read (literal)."),
 ]
 PolicyOption = Annotated[
-    str | None, typer.Option("--policy", metavar="NAME", help="How the robot asks (she16).")
+    str | None,
+    typer.Option(
+        "--policy", metavar="NAME", help="How it asks: rl, manual, random, split or she16 (she16)."
+    ),
+]
+WeightsOption = Annotated[
+    Path | None,
+    typer.Option("--weights", metavar="FILE", help="Weights of verbteach train, for --policy rl."),
 ]
 SeedOption = Annotated[
     int | None, typer.Option("--seed", min=0, max=2**63 - 1, help="The seed of all draws (0).")

@@ -20,6 +20,7 @@ from verbteach_tui.commands.parameters import (
     ScenesFolder,
     SeedOption,
     SessionsFolder,
+    WeightsOption,
 )
 from verbteach_tui.commands.streams import columns, counting, emit, note, progress, tell
 from verbteach_tui.conclusion import DONE, INTERRUPTED, WRONG_USE, WrongUseError
@@ -60,6 +61,10 @@ def teach(
     noise: NoiseOption = None,
     noise_reading: NoiseReading = None,
     policy: PolicyOption = None,
+    weights: WeightsOption = None,
+    freeze: Annotated[
+        bool, typer.Option("--freeze", help="Hold the weights: ask as before, learn only verbs.")
+    ] = False,
     second_opinion: Annotated[
         bool | None,
         typer.Option(
@@ -69,7 +74,7 @@ def teach(
     ] = None,
     source: Annotated[
         Path | None,
-        typer.Option("--from", metavar="SESSION", help="Start with this session's verbs."),
+        typer.Option("--from", metavar="SESSION", help="Start with this session's verbs and weights."),
     ] = None,
     participant: Annotated[
         str | None, typer.Option(metavar="CODE", help="The participant's code, for the record.")
@@ -96,6 +101,8 @@ def teach(
             "--noise": noise,
             "--noise-reading": noise_reading,
             "--policy": policy,
+            "--weights": weights,
+            "--freeze": freeze or None,
             "--second-opinion": second_opinion,
             "--from": source,
             "--participant": participant,
@@ -118,6 +125,8 @@ def teach(
             noise_reading or default.noise_reading,
             default.seed if seed is None else seed,
             default.second_opinion if second_opinion is None else second_opinion,
+            weights,
+            freeze,
         ),
         participant=participant,
         before=source,
