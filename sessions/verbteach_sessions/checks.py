@@ -87,7 +87,8 @@ def check_totals(event: Event, before: History) -> Iterator[str]:
     """Undo and redo lead to the state that was recorded with the turn they go to."""
     if event.type not in (kinds.UNDO, kinds.REDO) or before.current is None:
         return
-    to = before.current.parent if event.type == kinds.UNDO else before.redone
+    turns = before.undoable() if event.type == kinds.UNDO else before.redoable
+    to = next((turn for turn in turns if turn.seq == event.data["to"]), None)
     if to is not None and event.data["after"] != to.after:
         yield f"the state is not that of event {to.seq}"
 
@@ -143,7 +144,11 @@ def _fair(event: Event, teacher: Event, before: History) -> set[float]:
         return {0.0}
     in_question = waiting in {kind.name for kind in acts.QUESTIONS}
     if waiting == acts.IncludeFluent.name and isinstance(act, acts.Good):
-        return {yes, otherwise, 0.0}  # right as read back, right once corrected, called wrong before
+        return {
+            yes,
+            otherwise,
+            0.0,
+        }  # right as read back, right once corrected, called wrong before
     earns = _EARNS.get(type(act), _nothing)
     return earns(yes, otherwise, in_question)
 

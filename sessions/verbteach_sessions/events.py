@@ -41,12 +41,24 @@ REBUILD = "rebuild"
 END = "end"
 QUESTIONNAIRE = "questionnaire"
 
+REVISION = Shape(
+    "revision",
+    "A fluent of a hypothesis that the teacher struck out or confirmed.",
+    (
+        Field("frame", TEXT, "the verb frame, such as `boil/1`"),
+        Field("hypothesis", TEXTS, "the lifted hypothesis that names the fluent's things"),
+        Field("literal", TEXT, "the fluent, as it stands in the hypothesis"),
+        Field("wanted", FLAG, "whether it is part of the goal"),
+    ),
+)
 PRACTICE = Shape(
     "practice",
     "One step that the question policy learned from.",
     (
         Field("phase", TEXT, "`execution` or `learning`"),
-        Field("seen", mapping_of(NUMBER), "features of the act, less those of the next, discounted"),
+        Field(
+            "seen", mapping_of(NUMBER), "features of the act, less those of the next, discounted"
+        ),
         Field("reward", NUMBER, "what the learner was told, in hundreds, at its own prices"),
         Field("delta", NUMBER, "how far that was from what it expected"),
         Field("weights", mapping_of(NUMBER), "the phase's weights afterwards, by feature"),
@@ -63,6 +75,12 @@ RECORD = Shape(
             "policy",
             list_of(of_shape(PRACTICE)),
             "what the question policy learned; missing where it learned nothing",
+            optional=True,
+        ),
+        Field(
+            "revisions",
+            list_of(of_shape(REVISION)),
+            "what the teacher corrected in what was known; may be missing, which is none",
             optional=True,
         ),
     ),
@@ -165,6 +183,7 @@ DIFFERENCE = Shape(
 SHAPES = (
     RECORD,
     PRACTICE,
+    REVISION,
     SOURCE,
     DECISION,
     CANDIDATE,
@@ -249,8 +268,12 @@ _TYPES = (
             _AFTER,
         ),
     ),
-    Shape(UNDO, "The teacher took back the last act that counted.", (*_PERSON, _TO, _AFTER)),
-    Shape(REDO, "The teacher took back an `undo`.", (*_PERSON, _TO, _AFTER)),
+    Shape(
+        UNDO,
+        "The teacher took back the last act that counted, or several.",
+        (*_PERSON, _TO, _AFTER),
+    ),
+    Shape(REDO, "The teacher took back an `undo`, or a part of it.", (*_PERSON, _TO, _AFTER)),
     Shape(FLAGGED, "The teacher marked the robot's turn as odd.", _PERSON),
     Shape(
         NOTE,

@@ -86,6 +86,15 @@ class History:
         """Whether there is an act to take back."""
         return self.current is not None and not self.current.root
 
+    def undoable(self) -> tuple[Node, ...]:
+        """The turns that an undo could lead to, the nearest first."""
+        found: list[Node] = []
+        node = self.current
+        while node is not None and not node.root and node.parent is not None:
+            node = node.parent
+            found.append(node)
+        return tuple(found)
+
     @property
     def redone(self) -> Node | None:
         """The turn that a redo would lead to."""
@@ -158,17 +167,25 @@ class History:
             raise OrderError(f"does not reply to event {self.teacher.seq}, which waits")
 
     def _take_undo(self, event: Event) -> None:
-        turn = self._idle(event)
-        if not self.can_undo or turn.parent is None or turn.parent.seq != event.data["to"]:
-            raise OrderError("takes back something else than the last act that holds")
+        self._idle(event)
+        back = self.undoable()
+        turns = next((n for n, one in enumerate(back, 1) if one.seq == event.data["to"]), 0)
+        if not turns:
+            raise OrderError("goes back to no turn before the one that holds")
+        for _ in range(turns):
+            self._step_back()
+
+    def _step_back(self) -> None:
+        turn = self._turn()
         self.redoable.append(turn)
         self.current = turn.parent
 
     def _take_redo(self, event: Event) -> None:
         self._idle(event)
-        if self.redone is None or self.redone.seq != event.data["to"]:
+        if all(one.seq != event.data["to"] for one in self.redoable):
             raise OrderError("does again something else than what was taken back last")
-        self.current = self.redoable.pop()
+        while self._turn().seq != event.data["to"]:
+            self.current = self.redoable.pop()
 
     def _take_remark(self, event: Event) -> None:
         turn = self._idle(event)

@@ -19,6 +19,7 @@ from verbteach.policy.fixed_rules import ManualPolicy, RandomPolicy, SplitPolicy
 from verbteach.policy.learned_policy import LearnedPolicy
 from verbteach.policy.weights_file import PolicyWeights
 from verbteach.verbs.knowledge import VerbKnowledge
+from verbteach.verbs.revision import Revision, revised
 from verbteach_sessions.errors import SessionError
 from verbteach_sessions.plain_values import ParameterError, from_plain, to_plain
 
@@ -122,11 +123,24 @@ def knowledge_of(
 ) -> tuple[VerbKnowledge, dict[tuple[str, str], int]]:
     """What the records teach: the verbs, and how often a phrase meant an object.
 
-    The records are of their shape. Raises ``ValueError`` where a space is none.
+    The records are of their shape. Raises ``ValueError`` where a space
+    or a revision is none.
     """
-    spaces = [space for record in records for space in record["spaces"]]
+    knowledge, spaces = VerbKnowledge(), list[Any]()
+    for record in records:
+        spaces += record["spaces"]
+        for revision in record.get("revisions", ()):
+            knowledge, spaces = _with_spaces(knowledge, spaces), []
+            knowledge = revised(knowledge, Revision.from_json(revision))
     pairs = [(phrase, thing) for record in records for phrase, thing in record["experience"]]
-    return VerbKnowledge.from_json({"spaces": spaces}), dict(Counter(pairs))
+    return _with_spaces(knowledge, spaces), dict(Counter(pairs))
+
+
+def _with_spaces(knowledge: VerbKnowledge, spaces: Sequence[Any]) -> VerbKnowledge:
+    if not spaces:
+        return knowledge
+    more = VerbKnowledge.from_json({"spaces": list(spaces)})
+    return VerbKnowledge.merged((*knowledge.spaces, *more.spaces))
 
 
 def _needing_reader(settings: Settings) -> Settings:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import fields
-from typing import TypeAlias
+from typing import TypeAlias, TypeVar
 
 from verbteach.dialogue import acts
 from verbteach.dialogue.acts import TeacherAct
@@ -52,10 +52,65 @@ def _name(text: str) -> str:
     return text
 
 
-def _steps(text: str) -> int:
-    if not (text.isascii() and text.isdigit() and len(text) < 10):
-        raise ValueError("a number of steps is needed")
+def _number(text: str, of: str = "steps", least: int = 0) -> int:
+    if not (text.isascii() and text.isdigit() and len(text) < 10) or int(text) < least:
+        raise ValueError(f"a number of {of} is needed")
     return int(text)
+
+
+def _turns(text: str) -> int:
+    return _number(text, "turns", 1)
+
+
+def _place(text: str) -> int:
+    if not (text.isascii() and text.isdigit() and len(text) < 10):
+        raise ValueError("a step's number is needed")
+    return int(text)
+
+
+def _insert(text: str) -> acts.Insert:
+    at, _, action = text.partition(" ")
+    return acts.Insert(_place(at), Action.parse(action))
+
+
+def _remove(text: str) -> acts.Remove:
+    first, dash, last = (part.strip() for part in text.partition("-"))
+    return acts.Remove(_place(first), _place(last) if dash else _place(first))
+
+
+def _move(text: str) -> acts.Move:
+    at, _, to = text.partition(" ")
+    return acts.Move(_place(at), _place(to.strip()))
+
+
+_Learned = TypeVar("_Learned", acts.RuleOut, acts.Confirm)
+
+
+def _learned(kind: type[_Learned], text: str) -> _Learned:
+    """As in: boil/1 (on <cookware>0 <burner>0) of (hot ?0) (on <cookware>0 <burner>0)."""
+    frame, _, rest = text.partition(" ")
+    literal, of, hypothesis = rest.partition(" of ")
+    if not of:
+        raise ValueError("a frame, a fluent and its hypothesis are needed")
+    return kind(frame, frozenset(literals(hypothesis)), Literal.parse(literal))
+
+
+def literals(text: str) -> list[Literal]:
+    """Read literals that stand side by side, each in its parentheses."""
+    found, depth, start = [], 0, 0
+    for index, character in enumerate(text):
+        if character == "(":
+            start = index if depth == 0 else start
+            depth += 1
+        elif character == ")":
+            depth -= 1
+            if depth == 0:
+                found.append(Literal.parse(text[start : index + 1]))
+        elif depth == 0 and not character.isspace():
+            raise ValueError("each fluent needs its parentheses")
+    if depth or not found:
+        raise ValueError("each fluent needs its parentheses")
+    return found
 
 
 # What follows "word: " is read by these; the first group is prose and kept to the letter.
@@ -70,7 +125,14 @@ _TERMS: Mapping[str, Callable[[str], ScriptAct]] = {
     acts.Do.name: lambda text: acts.Do(Action.parse(text)),
     acts.Strike.name: lambda text: acts.Strike(Literal.parse(text)),
     acts.Keep.name: lambda text: acts.Keep(Literal.parse(text)),
-    acts.Stop.name: lambda text: acts.Stop(_steps(text)),
+    acts.Stop.name: lambda text: acts.Stop(_number(text)),
+    acts.Insert.name: _insert,
+    acts.Remove.name: _remove,
+    acts.Move.name: _move,
+    acts.RuleOut.name: lambda text: _learned(acts.RuleOut, text),
+    acts.Confirm.name: lambda text: _learned(acts.Confirm, text),
+    session_acts.Undo.name: lambda text: session_acts.Undo(_turns(text)),
+    session_acts.Redo.name: lambda text: session_acts.Redo(_turns(text)),
 }
 PREFIXES = (*_PROSE, *_TERMS)
 
@@ -137,7 +199,20 @@ def _candidates(act: ScriptAct) -> tuple[str, ...]:
     match act:
         case acts.Say(text=text):
             return text, f"say: {text}"
-        case acts.Stop(step=0):
+        case acts.Stop(step=0) | session_acts.Undo(turns=1) | session_acts.Redo(turns=1):
             return (act.name,)
-    terms = [str(getattr(act, field.name)) for field in fields(act)]
-    return (": ".join([act.name, *terms]),)
+    terms = _terms(act)
+    return (": ".join([act.name, *([" ".join(terms)] if terms else [])]),)
+
+
+def _terms(act: ScriptAct) -> list[str]:
+    """What stands after the act's name, word by word."""
+    match act:
+        case acts.Remove(first=first, last=last) if first != last:
+            return [f"{first}-{last}"]
+        case acts.Remove(first=first):
+            return [str(first)]
+        case acts.RuleOut(frame=frame) | acts.Confirm(frame=frame):
+            hypothesis = sorted(str(literal) for literal in act.hypothesis)
+            return [frame, str(act.literal), "of", *hypothesis]
+    return [str(getattr(act, field.name)) for field in fields(act)]

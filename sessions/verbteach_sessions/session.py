@@ -187,10 +187,10 @@ class Session:
     ) -> tuple[str, ...] | None:
         """What the robot says where it does not just take its turn."""
         match act:
-            case Undo():
-                self._move(kinds.UNDO, self._undone(), person, now)
-            case Redo():
-                self._move(kinds.REDO, self._redone(), person, now)
+            case Undo(turns=turns):
+                self._move(kinds.UNDO, self._undone(turns), person, now)
+            case Redo(turns=turns):
+                self._move(kinds.REDO, self._redone(turns), person, now)
             case Why():
                 return self._remark(kinds.WHY, (self.robot.explain(),), person, now)
             case Repeat():
@@ -212,16 +212,17 @@ class Session:
             raise RuntimeError("an open session has a robot turn")
         return node
 
-    def _undone(self) -> Node:
-        parent = self._node.parent
-        if not self.can_undo or parent is None:
-            raise CannotUndoError("there is nothing to take back")
-        return parent
+    def _undone(self, turns: int) -> Node:
+        back = self._fold.history.undoable()
+        if turns > len(back):
+            raise CannotUndoError(_too_far(len(back), "take back"))
+        return back[turns - 1]
 
-    def _redone(self) -> Node:
-        if self._fold.history.redone is None:
-            raise CannotUndoError("there is nothing to do again")
-        return self._fold.history.redone
+    def _redone(self, turns: int) -> Node:
+        forward = self._fold.history.redoable
+        if turns > len(forward):
+            raise CannotUndoError(_too_far(len(forward), "do again"))
+        return forward[-turns]
 
     def _move(self, kind: str, to: Node, person: Mapping[str, Any], now: float) -> None:
         data = {**person, "to": to.seq, "after": after(self._fold.states[to.seq])}
@@ -232,6 +233,12 @@ class Session:
     ) -> tuple[str, ...]:
         self._recorder.add(kind, {**person, "texts": list(texts)}, now)
         return texts
+
+
+def _too_far(there_are: int, what: str) -> str:
+    if there_are == 0:
+        return f"there is nothing to {what}"
+    return f"there {'is' if there_are == 1 else 'are'} only {there_are} to {what}"
 
 
 def summary(session: Session) -> dict[str, Any]:

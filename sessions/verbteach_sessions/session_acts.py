@@ -8,15 +8,17 @@ from typing import ClassVar, TypeAlias
 
 @dataclass(frozen=True)
 class Undo:
-    """Take back the last act."""
+    """Take back the last act, or the last ``turns`` of them at once."""
 
+    turns: int = 1
     name: ClassVar[str] = "undo"
 
 
 @dataclass(frozen=True)
 class Redo:
-    """Do again what was taken back last."""
+    """Do again what was taken back last, ``turns`` acts of it."""
 
+    turns: int = 1
     name: ClassVar[str] = "redo"
 
 

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import pytest
@@ -189,25 +191,37 @@ def test_every_sentence_is_there_and_fits_its_act() -> None:
 def fitting(pupil: Robot, rng: np.random.Generator) -> TeacherAct:
     """A random act that the table allows now, of a kind and content a person might choose."""
     kinds = sorted(TEACHER_MOVES[pupil.turn.phase], key=lambda kind: kind.name)
-    kind = kinds[int(rng.integers(len(kinds)))]
+    made: TeacherAct = _made(pupil, kinds[int(rng.integers(len(kinds)))], rng)
+    return made
+
+
+def _made(pupil: Robot, kind: Any, rng: np.random.Generator) -> Any:
+    def one_of(choices: Sequence[Any]) -> Any:
+        return choices[int(rng.integers(len(choices)))]
+
     objects = sorted(pupil.setting.scene.objects)
     words = ("boil the water", "no", "yes", "the red mug", "", "take the mug and put it here")
-    if kind is acts.Command or kind is acts.Say:
-        return kind(words[int(rng.integers(len(words)))])
-    if kind is acts.Point:
-        return acts.Point(objects[int(rng.integers(len(objects)))])
-    if kind is acts.Do:
-        possible = applicable(pupil.setting.task, pupil.state.world)
-        return acts.Do(possible[int(rng.integers(len(possible)))])
-    if kind is acts.GoToScene:
-        return acts.GoToScene(("kitchen-1", "kitchen-2")[int(rng.integers(2))])
-    if kind is acts.Strike or kind is acts.Keep:
-        return kind(Literal(Fluent("is-on", ("Burner_1",)), bool(rng.integers(2))))
-    plain = (acts.Yes(), acts.No(), acts.Unsure(), acts.Skip(), acts.Done(), acts.Good())
-    known: dict[type, TeacherAct] = {
-        type(act): act for act in (*plain, acts.Bad(), acts.Stop(1), acts.Show())
+    on = Literal(Fluent("is-on", ("Burner_1",)), bool(rng.integers(2)))
+    step, (at, to) = (
+        one_of(applicable(pupil.setting.task, pupil.state.world)),
+        rng.integers(1, 5, 2),
+    )
+    arguments: dict[Any, tuple[Any, ...]] = {
+        acts.Command: (one_of(words),),
+        acts.Say: (one_of(words),),
+        acts.Point: (one_of(objects),),
+        acts.Do: (step,),
+        acts.GoToScene: (one_of(("kitchen-1", "kitchen-2")),),
+        acts.Strike: (on,),
+        acts.Keep: (on,),
+        acts.Insert: (int(at), step),
+        acts.Remove: (int(at), int(to)),
+        acts.Move: (int(at), int(to)),
+        acts.RuleOut: ("boil/1", frozenset({on}), on),
+        acts.Confirm: ("boil/1", frozenset({on}), on),
+        acts.Stop: (1,),
     }
-    return known[kind]
+    return kind(*arguments.get(kind, ()))
 
 
 @settings(max_examples=15, deadline=None)

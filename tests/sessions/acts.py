@@ -14,6 +14,9 @@ names = st.from_regex(r"[A-Za-z][A-Za-z0-9_-]{0,12}", fullmatch=True)
 fluents = st.builds(Fluent, names, st.lists(names, max_size=3).map(tuple))
 literals = st.builds(Literal, fluents, st.booleans())
 actions = st.builds(Action, names, st.lists(names, max_size=3).map(tuple))
+numbers = st.integers(1, 99)
+frames = st.builds("{}/{}".format, names, st.integers(0, 3))
+hypotheses = st.frozensets(literals, min_size=1, max_size=3)
 texts = st.text(max_size=40)
 
 script_acts: st.SearchStrategy[ScriptAct] = st.one_of(
@@ -27,4 +30,11 @@ script_acts: st.SearchStrategy[ScriptAct] = st.one_of(
     literals.map(acts.Strike),
     literals.map(acts.Keep),
     st.integers(0, 10**6).map(acts.Stop),
+    st.builds(acts.Insert, numbers, actions),
+    st.builds(acts.Remove, numbers, numbers),
+    st.builds(acts.Move, numbers, numbers),
+    st.builds(acts.RuleOut, frames, hypotheses, literals),
+    st.builds(acts.Confirm, frames, hypotheses, literals),
+    numbers.map(session_acts.Undo),
+    numbers.map(session_acts.Redo),
 )

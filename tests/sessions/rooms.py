@@ -144,6 +144,14 @@ def fitting(turn: RobotTurn, state: RobotState, rng: np.random.Generator) -> Tea
 
 def _arguments(kind: type[TeacherAct], state: RobotState, rng: np.random.Generator) -> list[Any]:
     setting = settings(state.scene)
+    places = [int(place) for place in rng.integers(1, 5, size=2)]
+    if kind is acts.Remove or kind is acts.Move:
+        return places
+    if kind is acts.Insert:
+        possible = applicable(setting.task, state.world)
+        return [places[0], possible[int(rng.integers(len(possible)))]]
+    if kind is acts.RuleOut or kind is acts.Confirm:
+        return _known_fluent(state, rng)
     choices: dict[type[TeacherAct], Callable[[], Sequence[Any]]] = {
         acts.Command: lambda: COMMANDS,
         acts.Say: lambda: SAYINGS,
@@ -161,6 +169,16 @@ def _arguments(kind: type[TeacherAct], state: RobotState, rng: np.random.Generat
 
 COMMANDS = ("boil the water", "open the fridge", "wash the mug", "take the bread", "sing", "")
 SAYINGS = ("no", "yes", "the red mug", "Kettle_1", "", "grasp the mug", "no, Mug_1")
+
+
+def _known_fluent(state: RobotState, rng: np.random.Generator) -> list[Any]:
+    frames = sorted(state.knowledge.frames.values(), key=lambda frame: frame.key)
+    if not frames:
+        return ["boil/1", frozenset(), Literal(Fluent("hot", ("?0",)))]
+    frame = frames[int(rng.integers(len(frames)))]
+    nodes = list(frame.nodes)
+    node = nodes[int(rng.integers(len(nodes)))]
+    return [str(frame.key), frozenset(node), node[int(rng.integers(len(node)))]]
 
 
 def _literals(state: RobotState) -> Sequence[Literal]:

@@ -24,6 +24,8 @@ from verbteach_sessions.script import (
 from verbteach_sessions.session_acts import SessionAct
 
 HOT = Fluent("hot", ("Water_1",))
+LIFTED_HOT = Literal(Fluent("hot", ("?0",)))
+LIFTED_OFF = Literal(Fluent("on", ("?0", "<a>0")), positive=False)
 
 
 @pytest.mark.parametrize(
@@ -38,6 +40,20 @@ HOT = Fluent("hot", ("Water_1",))
         ("object: Kettle_1", acts.Point("Kettle_1")),
         ("do: moveto Kettle_1", acts.Do(Action("moveto", ("Kettle_1",)))),
         ("do: (moveto Kettle_1)", acts.Do(Action("moveto", ("Kettle_1",)))),
+        ("insert: 2 moveto Kettle_1", acts.Insert(2, Action("moveto", ("Kettle_1",)))),
+        ("remove: 3", acts.Remove(3, 3)),
+        ("remove: 3-5  # all that", acts.Remove(3, 5)),
+        ("move: 3 1", acts.Move(3, 1)),
+        (
+            "rule_out: boil/1 (not (on ?0 <a>0)) of (hot ?0) (not (on ?0 <a>0))",
+            acts.RuleOut("boil/1", frozenset({LIFTED_HOT, LIFTED_OFF}), LIFTED_OFF),
+        ),
+        (
+            "confirm: boil/1 (hot ?0) of (hot ?0)",
+            acts.Confirm("boil/1", frozenset({LIFTED_HOT}), LIFTED_HOT),
+        ),
+        ("undo: 4", session_acts.Undo(4)),
+        ("redo: 2", session_acts.Redo(2)),
         ("done", acts.Done()),
         ("good", acts.Good()),
         ("bad", acts.Bad()),
@@ -73,7 +89,13 @@ def test_a_line_is_read(line: str, act: ScriptAct | None) -> None:
 
 
 @pytest.mark.parametrize(
-    "line", ["object:", "object: two words", "do:", "stop: now", "stop: -1", "strike: ((", "scene:"]
+    "line",
+    [
+        *("object:", "object: two words", "do:", "stop: now", "stop: -1", "strike: ((", "scene:"),
+        *("insert: 2", "insert: x moveto A", "remove: 1-x", "remove: ", "move: 3", "move: 3 a b"),
+        *("undo: 0", "redo: some", "rule_out: boil/1 (hot ?0)", "confirm: boil/1 (hot ?0) of hot"),
+        "rule_out: boil/1 (hot ?0) of ((hot ?0)",
+    ],
 )
 def test_a_term_that_is_none_is_refused_with_the_line(line: str) -> None:
     with pytest.raises(LineSyntaxError, match=line.split(":", maxsplit=1)[0]):

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.sessions.records import first, raw_lines, read_events
-from tests.sessions.rooms import BOIL, TAUGHT, Clock, begin, recorded, say, settings
+from tests.sessions.rooms import BOIL, TAUGHT, Clock, begin, recorded, resumed, say, settings
 from verbteach.dialogue import acts
 from verbteach.dialogue.acts import TeacherAct
 from verbteach.dialogue.codec import teacher_act_to_json
@@ -18,16 +18,19 @@ from verbteach.dialogue.robot import Robot
 from verbteach.dialogue.setting import UnknownObjectError, UnknownSceneError
 from verbteach.dialogue.turn import RobotTurn
 from verbteach.perception.noise import NoiseModel
+from verbteach.verbs.space import FrameKey
 from verbteach.world.fluents import Fluent, Literal
 from verbteach_sessions.errors import CannotUndoError, SessionEndedError, TooLongError
 from verbteach_sessions.eventlog import LOG_NAME
 from verbteach_sessions.header import Header
 from verbteach_sessions.header_file import HEADER_NAME
+from verbteach_sessions.learned import knowledge_from, source_from
 from verbteach_sessions.lines import MAX_LINE
 from verbteach_sessions.method import Method
 from verbteach_sessions.replay import verify
 from verbteach_sessions.session import Session, summary
 from verbteach_sessions.session_acts import Flag, Note, Redo, Repeat, Undo, Why
+from verbteach_sessions.validate import validate
 
 
 def kinds(session: Session) -> list[str]:
@@ -190,6 +193,65 @@ def test_undo_and_redo_move_along_what_was_said(tmp_path: Path) -> None:
         session.perform(acts.Skip())
         assert not session.can_redo, "a new act is another future"
         assert kinds(session)[-7:] == ["undo", "undo", "redo", "redo", "undo", "teacher", "robot"]
+
+
+def test_several_acts_are_taken_back_and_done_again_at_once(tmp_path: Path) -> None:
+    with begin(tmp_path) as session:
+        digests = [session.robot.state.digest]
+        for line in ("command: boil the water", "do: moveto Kettle_1", "do: grasp Kettle_1"):
+            say(session, line)
+            digests.append(session.robot.state.digest)
+        session.perform(Undo(3))
+        assert session.robot.state.digest == digests[0]
+        session.perform(Redo(2))
+        assert session.robot.state.digest == digests[2]
+        with pytest.raises(CannotUndoError, match="only 2 to take back"):
+            session.perform(Undo(3))
+        with pytest.raises(CannotUndoError, match="only 1 to do again"):
+            session.perform(Redo(2))
+        assert session.robot.state.digest == digests[2]
+        assert kinds(session)[-2:] == ["undo", "redo"]
+    assert verify(session.path, settings).verified
+    with resumed(session.path) as again:
+        again.perform(Redo())
+        assert again.robot.state.digest == digests[3]
+
+
+EDITED = """
+command: boil the water
+do: moveto Tap_1
+do: moveto Kettle_1
+insert: 3 grasp Kettle_1
+move: 1 3
+do: moveto Burner_1
+do: set-on Kettle_1 Burner_1
+do: moveto StoveKnob_1
+do: turn StoveKnob_1
+remove: 3
+remove: 2
+done
+good
+"""
+
+
+def test_an_edited_demonstration_and_a_corrected_verb_replay_to_the_bit(tmp_path: Path) -> None:
+    with begin(tmp_path) as session:
+        say(session, EDITED)
+        frame = session.robot.state.knowledge.frames[FrameKey("boil", 1)]
+        node = next(node.literals for node in frame.nodes.values() if node.confirmed)
+        on = next(one for one in node if one.fluent.predicate == "on")
+        session.perform(acts.RuleOut("boil/1", frozenset(node), on))
+        digest = session.robot.state.digest
+    assert verify(session.path, settings).verified
+    assert validate(session.path, settings).valid
+    assert knowledge_from(session.path)[0].digest == session.robot.state.knowledge.digest
+    with begin(tmp_path, "kitchen-3", source=source_from(session.path)) as other:
+        assert other.robot.state.knowledge.digest == session.robot.state.knowledge.digest
+    with resumed(session.path) as again:
+        assert again.robot.state.digest == digest
+        again.perform(Undo())
+        assert FrameKey("boil", 1) in again.robot.state.knowledge.frames
+        assert again.robot.state.knowledge.frames[FrameKey("boil", 1)] == frame
 
 
 def test_asking_why_changes_nothing_and_is_recorded(tmp_path: Path) -> None:

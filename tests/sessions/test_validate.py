@@ -91,7 +91,7 @@ MUTATIONS: list[tuple[str, Change]] = [
     ("order", lambda e: e.insert(1, e[0])),
     ("order", lambda e: e.append(e[-2])),
     ("order", lambda e: e[4]["data"].__setitem__("reply_to", 1)),
-    ("order", lambda e: first(e, "undo")["data"].__setitem__("to", 1)),
+    ("order", lambda e: first(e, "undo")["data"].__setitem__("to", 2)),
     ("order", lambda e: first(e, "redo")["data"].__setitem__("to", 1)),
     ("order", lambda e: e.insert(2, first(e, "redo"))),
     ("moves", lambda e: e[2]["data"].__setitem__("act", {"act": "done"})),

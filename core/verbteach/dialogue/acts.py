@@ -177,6 +177,37 @@ class RefuseStep:
 
 
 @dataclass(frozen=True)
+class ReviseSteps:
+    """The demonstration was edited: its steps as they now are, and their whole ``change``."""
+
+    steps: tuple[Action, ...]
+    change: tuple[Literal, ...]
+    name: ClassVar[str] = "revise_steps"
+
+
+@dataclass(frozen=True)
+class RefuseRevision:
+    """The demonstration stays as it is: step number ``step`` would not be possible any more."""
+
+    step: int
+    action: Action
+    reason: str
+    name: ClassVar[str] = "refuse_revision"
+
+
+@dataclass(frozen=True)
+class ReviseVerb:
+    """What is known of a verb was corrected: ``left`` of ``before`` hypotheses are left."""
+
+    verb: str
+    literal: Literal
+    wanted: bool
+    before: int
+    left: int
+    name: ClassVar[str] = "revise_verb"
+
+
+@dataclass(frozen=True)
 class ReviseGoal:
     """The goal read back was wrong; the robot asks what to strike or to keep."""
 
@@ -230,6 +261,9 @@ RobotAct: TypeAlias = (
     | ReportExecution
     | ObserveStep
     | RefuseStep
+    | ReviseSteps
+    | RefuseRevision
+    | ReviseVerb
     | ReviseGoal
     | Learned
     | CloseEpisode
@@ -307,6 +341,33 @@ class Do:
 
 
 @dataclass(frozen=True)
+class Insert:
+    """One more demonstrated action, which becomes step number ``at`` (from 1)."""
+
+    at: int
+    action: Action
+    name: ClassVar[str] = "insert"
+
+
+@dataclass(frozen=True)
+class Remove:
+    """The demonstrated steps from number ``first`` to number ``last`` were not meant."""
+
+    first: int
+    last: int
+    name: ClassVar[str] = "remove"
+
+
+@dataclass(frozen=True)
+class Move:
+    """The demonstrated step number ``at`` belongs at number ``to``."""
+
+    at: int
+    to: int
+    name: ClassVar[str] = "move"
+
+
+@dataclass(frozen=True)
 class Done:
     """The demonstration is over."""
 
@@ -352,6 +413,26 @@ class Keep:
 
 
 @dataclass(frozen=True)
+class RuleOut:
+    """A fluent of a learned, lifted hypothesis is no part of what the verb frame asks for."""
+
+    frame: str
+    hypothesis: Goal
+    literal: Literal
+    name: ClassVar[str] = "rule_out"
+
+
+@dataclass(frozen=True)
+class Confirm:
+    """A fluent of a learned, lifted hypothesis is part of what the verb frame asks for."""
+
+    frame: str
+    hypothesis: Goal
+    literal: Literal
+    name: ClassVar[str] = "confirm"
+
+
+@dataclass(frozen=True)
 class Show:
     """The teacher takes over and will demonstrate."""
 
@@ -375,12 +456,17 @@ TeacherAct: TypeAlias = (
     | Say
     | Point
     | Do
+    | Insert
+    | Remove
+    | Move
     | Done
     | Good
     | Bad
     | Stop
     | Strike
     | Keep
+    | RuleOut
+    | Confirm
     | Show
     | GoToScene
 )

@@ -6,18 +6,23 @@ from dataclasses import replace
 
 from verbteach.dialogue.acts import (
     DemonstrationReason,
+    Insert,
+    Move,
     ObserveStep,
+    RefuseRevision,
     RefuseStep,
+    Remove,
     RequestDemonstration,
+    ReviseSteps,
 )
 from verbteach.dialogue.draft import Draft
-from verbteach.dialogue.moves import Phase
+from verbteach.dialogue.moves import IllegalMoveError, Phase
 from verbteach.dialogue.obstacles import obstacle
 from verbteach.dialogue.state import Demonstrated
 from verbteach.verbs.change import StateChange
 from verbteach.world.fluents import Goal, Literal
 from verbteach.world.plan import Action
-from verbteach.world.simulator import apply
+from verbteach.world.simulator import apply, run
 
 
 def request(draft: Draft, reason: DemonstrationReason) -> None:
@@ -52,6 +57,50 @@ def observe(draft: Draft, action: Action) -> None:
     draft.remember(world=world)
     draft.update(demonstrated=shown)
     draft.wait(ObserveStep(action, ordered(change(draft))), Phase.DEMONSTRATION)
+
+
+def edit(draft: Draft, act: Insert | Remove | Move) -> None:
+    """Change the steps shown so far; refused where one of them would not be possible any more.
+
+    The world then is as the steps leave it. Raises ``IllegalMoveError`` for a
+    number that no step has.
+    """
+    shown = draft.episode.demonstrated or Demonstrated((), (draft.episode.start,))
+    steps = edited(shown.actions, act)
+    setting = draft.mind.setting
+    states = run(setting.task, draft.episode.start, steps)
+    possible = len(states) - 1
+    if possible < len(steps):
+        reason = obstacle(setting, states[-1], steps[possible])
+        draft.wait(RefuseRevision(possible + 1, steps[possible], reason), Phase.DEMONSTRATION)
+        return
+    draft.remember(world=states[-1])
+    draft.update(demonstrated=Demonstrated(steps, tuple(states)))
+    draft.wait(ReviseSteps(steps, ordered(change(draft))), Phase.DEMONSTRATION)
+
+
+def edited(steps: tuple[Action, ...], act: Insert | Remove | Move) -> tuple[Action, ...]:
+    """The steps after an edit, possible or not. Raises ``IllegalMoveError``."""
+    match act:
+        case Insert(at=at, action=action):
+            _check_number(at, len(steps) + 1)
+            return (*steps[: at - 1], action, *steps[at - 1 :])
+        case Remove(first=first, last=last):
+            _check_number(first, len(steps))
+            _check_number(last, len(steps), first)
+            return (*steps[: first - 1], *steps[last:])
+        case Move(at=at, to=to):
+            _check_number(at, len(steps))
+            _check_number(to, len(steps))
+            rest = (*steps[: at - 1], *steps[at:])
+            return (*rest[: to - 1], steps[at - 1], *rest[to - 1 :])
+
+
+def _check_number(number: int, last: int, first: int = 1) -> None:
+    if last == 0:
+        raise IllegalMoveError("there is no step yet")
+    if not first <= number <= last:
+        raise IllegalMoveError(f"there is no step {number}: it must be from {first} to {last}")
 
 
 def change(draft: Draft) -> Goal:

@@ -16,6 +16,7 @@ from verbteach.dialogue.policy import Policy, Taken
 from verbteach.dialogue.setting import Setting
 from verbteach.dialogue.state import EpisodeState, Pending, RobotState, Totals
 from verbteach.dialogue.turn import Trace
+from verbteach.verbs.revision import Revision
 from verbteach.verbs.space import HypothesisSpace
 
 
@@ -45,6 +46,7 @@ class Draft:
     learned: list[HypothesisSpace] = field(default_factory=list)
     experience: list[tuple[str, str]] = field(default_factory=list)
     practice: list[Mapping[str, Any]] = field(default_factory=list)
+    revisions: list[Revision] = field(default_factory=list)
     reading: str = ""
     reward: float = 0.0
     trace: Trace | None = None

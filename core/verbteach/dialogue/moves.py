@@ -35,6 +35,8 @@ ROBOT_MOVES: Mapping[Phase, tuple[type[RobotAct], ...]] = {
         acts.RequestDemonstration,
         acts.ObserveStep,
         acts.RefuseStep,
+        acts.ReviseSteps,
+        acts.RefuseRevision,
         acts.AskAgain,
     ),
     Phase.LEARNING: (
@@ -57,6 +59,8 @@ TEACHER_MOVES: Mapping[Phase, Mapping[type[TeacherAct], tuple[Phase, ...]]] = {
     Phase.COMMAND: {
         acts.Command: (Phase.COMMAND, *_AFTER_COMMAND),
         acts.GoToScene: (Phase.COMMAND,),
+        acts.RuleOut: (Phase.COMMAND,),
+        acts.Confirm: (Phase.COMMAND,),
     },
     Phase.EXECUTION: {
         acts.Yes: _EXECUTION_ANSWER,
@@ -77,6 +81,9 @@ TEACHER_MOVES: Mapping[Phase, Mapping[type[TeacherAct], tuple[Phase, ...]]] = {
     },
     Phase.DEMONSTRATION: {
         acts.Do: (Phase.DEMONSTRATION,),
+        acts.Insert: (Phase.DEMONSTRATION,),
+        acts.Remove: (Phase.DEMONSTRATION,),
+        acts.Move: (Phase.DEMONSTRATION,),
         acts.Done: (Phase.DEMONSTRATION, *_AFTER_DEMONSTRATION),
         acts.Skip: (Phase.COMMAND, *_AFTER_COMMAND),
         acts.Say: (Phase.DEMONSTRATION,),

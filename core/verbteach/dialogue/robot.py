@@ -18,6 +18,7 @@ from verbteach.dialogue import (
     execution,
     learning,
     questions,
+    revising,
 )
 from verbteach.dialogue.acts import DemonstrationReason, Outcome, TeacherAct
 from verbteach.dialogue.closing import await_command, close
@@ -153,18 +154,23 @@ def _finished(draft: Draft) -> RobotState:
 
 
 def _learned(draft: Draft) -> Mapping[str, Any] | None:
-    if not (draft.learned or draft.experience or draft.practice):
+    if not (draft.learned or draft.experience or draft.revisions or draft.practice):
         return None
+    revisions = [revision.to_json() for revision in draft.revisions]
     return {
         "spaces": [space.to_json() for space in draft.learned],
         "experience": [list(pair) for pair in draft.experience],
+        **({"revisions": revisions} if revisions else {}),
         **({"policy": [dict(one) for one in draft.practice]} if draft.practice else {}),
     }
 
 
 def _command(draft: Draft, act: TeacherAct) -> None:
-    if isinstance(act, acts.Command):
-        commands.hear(draft, act.text)
+    match act:
+        case acts.Command(text=text):
+            commands.hear(draft, text)
+        case acts.RuleOut() | acts.Confirm():
+            revising.revise(draft, act)
 
 
 def _execution(draft: Draft, act: TeacherAct) -> None:
@@ -218,6 +224,8 @@ def _demonstration(draft: Draft, act: TeacherAct) -> None:
     match act:
         case acts.Do(action=action):
             demonstration.observe(draft, action)
+        case acts.Insert() | acts.Remove() | acts.Move():
+            demonstration.edit(draft, act)
         case acts.Done():
             learning.sum_up(draft)
         case acts.Skip():

@@ -137,6 +137,29 @@ def _refuse_step(act: acts.RefuseStep, about: _About) -> str:
     return f"That cannot be done now: {act.reason}."
 
 
+def _revise_steps(act: acts.ReviseSteps, about: _About) -> str:
+    if not act.steps:
+        return "Then I have seen no step yet."
+    count = "one step" if len(act.steps) == 1 else f"{len(act.steps)} steps"
+    last = about.speech.words.action(act.steps[-1])
+    if not act.change:
+        return f"I see {count} now, the last: {last}. So far nothing is different from before."
+    changes = "; ".join(about.speech.words.became(literal) for literal in act.change)
+    return f"I see {count} now, the last: {last}. So far: {changes}."
+
+
+def _refuse_revision(act: acts.RefuseRevision, about: _About) -> str:
+    step = about.speech.words.action(act.action)
+    stays = "I leave the steps as they are"
+    return f"{stays}: step {act.step}, {step}, could not be done, because {act.reason}."
+
+
+def _revise_verb(act: acts.ReviseVerb, about: _About) -> str:
+    said = "I keep to that for" if act.wanted else "I take that out of"
+    left = "is left" if act.left == 1 else "are left"
+    return f"{said} {_quoted(act.verb)}: {act.left} of its {act.before} hypotheses {left}."
+
+
 def _include_fluent(act: acts.IncludeFluent, about: _About) -> str:
     if not act.goal:
         return f"Then {about.doing} asks for nothing at all. Keep something, show me again or skip."
@@ -239,6 +262,9 @@ _WORDING: Mapping[type[RobotAct], Callable[[Any, _About], str]] = {
     acts.RequestDemonstration: _request_demonstration,
     acts.ObserveStep: _observe_step,
     acts.RefuseStep: _refuse_step,
+    acts.ReviseSteps: _revise_steps,
+    acts.RefuseRevision: _refuse_revision,
+    acts.ReviseVerb: _revise_verb,
     acts.IncludeFluent: _include_fluent,
     acts.ReviseGoal: _revise_goal,
     acts.Learned: _learned,
