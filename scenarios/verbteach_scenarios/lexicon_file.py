@@ -48,6 +48,8 @@ def parse_lexicon(text: str, path: Path) -> Lexicon:
             particles={verb: frozenset(_words(listed)) for verb, listed in particles.items()},
             fluents={name: _wording(name, w) for name, w in data.get("fluents", {}).items()},
             actions={name: _template(name, w) for name, w in data.get("actions", {}).items()},
+            unspoken=frozenset(_words(data.get("unspoken", []))),
+            incidental=frozenset(_words(data.get("incidental", []))),
         )
     except (TypeError, ValueError, AttributeError) as problem:
         raise SceneFileError(path, 0, f"is not a lexicon: {problem}") from problem
@@ -70,6 +72,8 @@ def _over(own: Lexicon, base: Lexicon) -> Lexicon:
         particles=_united(base.particles, own.particles),
         fluents={**base.fluents, **own.fluents},
         actions={**base.actions, **own.actions},
+        unspoken=base.unspoken | own.unspoken,
+        incidental=base.incidental | own.incidental,
     )
 
 

@@ -20,6 +20,7 @@ from verbteach.policy.learned_policy import LearnedPolicy
 from verbteach.policy.weights_file import PolicyWeights
 from verbteach.verbs.knowledge import VerbKnowledge
 from verbteach.verbs.revision import Revision, revised
+from verbteach_scenarios.weights import starting_weights
 from verbteach_sessions.errors import SessionError
 from verbteach_sessions.plain_values import ParameterError, from_plain, to_plain
 
@@ -30,11 +31,7 @@ _RULES: Mapping[str, type[Policy]] = {
 
 def starting_policy(weights: PolicyWeights | None = None, *, frozen: bool = False) -> LearnedPolicy:
     """The learned policy with these weights, else with those that come with the robot."""
-    if weights is None:
-        from verbteach_scenarios.weights import starting_weights
-
-        weights = starting_weights()
-    return LearnedPolicy.beginning(weights, frozen=frozen)
+    return LearnedPolicy.beginning(weights or starting_weights(), frozen=frozen)
 
 
 POLICIES: Mapping[str, Callable[[], Policy]] = {LearnedPolicy.name: starting_policy, **_RULES}

@@ -18,20 +18,25 @@ from verbteach.dialogue.acts import (
     PredChangeYnq,
     RobotAct,
 )
+from verbteach.dialogue.decision import Candidate
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.execution_inquiry import ExecutionInquiry
 from verbteach.dialogue.grounding import GroundingBelief
 from verbteach.dialogue.inquiry import Label, Reply
 from verbteach.dialogue.learning_inquiry import LearningInquiry
 from verbteach.dialogue.state import EpisodeState, Exchange
+from verbteach.dialogue.worth import essential
 from verbteach.perception.belief import Belief
 from verbteach.verbs.analogy import Analogies
 from verbteach.verbs.examples import Example, Memory
 from verbteach.verbs.knowledge import VerbKnowledge
 from verbteach.verbs.pool import PoolSource
 from verbteach.verbs.resemblance import Said
-from verbteach.verbs.seen_change import seen_change
+from verbteach.verbs.seen_change import SeenChange, seen_change
+from verbteach.world.fluents import Literal
 
+_MOVED, _HANDLED = 10.0, 3.0
+"""How much likelier a thing is meant that a demonstration changed, or only handled."""
 _LABELS = {"yes": Label.YES, "no": Label.NO}
 
 
@@ -57,16 +62,40 @@ def learning_inquiry(draft: Draft, after: Belief) -> LearningInquiry:
     episode, parameters = draft.episode, draft.mind.parameters
     shown = episode.demonstrated.actions if episode.demonstrated else ()
     change = seen_change(draft.mind.setting.task, episode.belief, after, shown)
-    static = draft.mind.setting.task.domain.static
-    change = replace(
-        change, chances=tuple(c for c in change.chances if c[0].fluent.predicate not in static)
-    )
+    change = replace(change, chances=_worth_asking(draft, change))
     inquiry = LearningInquiry(change, known_phrases(episode.grounding), parameters.inquiry)
     for exchange in episode.asked:
         label = _LABELS.get(exchange.answer)
         if isinstance(exchange.question, PredChangeYnq | GoalRelevantYnq) and label:
             inquiry = inquiry.after(exchange.question, Reply(label))
     return replace(inquiry, asked=_questions(episode))
+
+
+def seen_grounding(draft: Draft, after: Belief) -> GroundingBelief:
+    """*Grd* after a demonstration: what changed, and what was handled, is likelier to be meant."""
+    episode = draft.episode
+    shown = episode.demonstrated.actions if episode.demonstrated else ()
+    handled = {word for action in shown for word in action.args}
+    changed = learning_inquiry(draft, after).change.likely
+    moved = {word for literal in changed for word in literal.fluent.args}
+    grounding = episode.grounding
+    for phrase in known_phrases(grounding).names:
+        if phrase not in grounding.settled and len(grounding[phrase]) > 1:
+            weights = {
+                thing: chance * (_MOVED if thing in moved else _HANDLED if thing in handled else 1)
+                for thing, chance in grounding[phrase]
+            }
+            grounding = grounding.restrict(phrase, weights)
+    return grounding
+
+
+def _worth_asking(draft: Draft, change: SeenChange) -> tuple[tuple[Literal, float], ...]:
+    """The chances of what may be meant; what never changes was seen wrongly."""
+    setting = draft.mind.setting
+    static = setting.task.domain.static
+    moving = [(one, p) for one, p in change.chances if one.fluent.predicate not in static]
+    meant = essential(frozenset(one for one, _ in moving), setting.lexicon)
+    return tuple((one, p) for one, p in moving if one in meant)
 
 
 def known_phrases(grounding: GroundingBelief) -> GroundingBelief:
@@ -96,10 +125,35 @@ def answered(episode: EpisodeState, kind: type[RobotAct], answer: str) -> tuple[
     )
 
 
+def sensible(draft: Draft, options: Sequence[Candidate]) -> list[Candidate]:
+    """The candidates without questions that no person would understand.
+
+    Goals carried over from other things speak of facts that cannot be here,
+    and of the robot's own bookkeeping.
+    """
+    setting = draft.mind.setting
+
+    def makes_sense(act: RobotAct) -> bool:
+        if isinstance(act, GoalPredYnq):
+            fluent = act.literal.fluent
+        elif isinstance(act, EnvPredYnq):
+            fluent = act.fluent
+        else:
+            return True
+        unspoken = fluent.predicate in setting.lexicon.unspoken
+        return not unspoken and setting.task.is_fluent(fluent)
+
+    return [one for one in options if makes_sense(one.act)]
+
+
 def settled_in_bulk(grounding: GroundingBelief, act: BulkNpGrdYnq, yes: bool) -> GroundingBelief:
-    """A yes settles every pair; a no leaves all as likely as before."""
-    for phrase, thing in act.pairs if yes else ():
-        grounding = grounding.confirm(phrase, thing)
+    """A yes settles every pair; a no says only that not all are right, so doubts each a little."""
+    for phrase, thing in act.pairs:
+        if yes:
+            grounding = grounding.confirm(phrase, thing)
+        else:
+            halved = {o: p * (0.5 if o == thing else 1.0) for o, p in grounding[phrase]}
+            grounding = grounding.restrict(phrase, halved)
     return grounding
 
 

@@ -15,7 +15,7 @@ from verbteach.dialogue.acts import (
     RequestDemonstration,
     SelectHypo,
 )
-from verbteach.dialogue.asking import execution_inquiry
+from verbteach.dialogue.asking import execution_inquiry, sensible
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.moves import Phase
 from verbteach.dialogue.proposals import (
@@ -75,7 +75,7 @@ def _deliberate_asking(draft: Draft) -> None:
     inquiry = execution_inquiry(draft)
     ranked = () if inquiry.pool.empty else inquiry.pool.goals(_CONSIDERED)
     draft.update(goals=tuple(RankedGoal(goal, value) for goal, value in ranked))
-    act = draft.choose(inquiry.candidates(), Phase.EXECUTION)
+    act = draft.choose(sensible(draft, inquiry.candidates()), Phase.EXECUTION)
     if isinstance(act, QUESTIONS):
         ask(draft, act, Phase.EXECUTION)
     elif isinstance(act, SelectHypo):

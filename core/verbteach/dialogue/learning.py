@@ -17,9 +17,10 @@ from verbteach.dialogue.acts import (
     IncludeFluent,
     Learned,
     Outcome,
+    RequestDemonstration,
     ReviseGoal,
 )
-from verbteach.dialogue.asking import answered, learning_inquiry
+from verbteach.dialogue.asking import answered, learning_inquiry, seen_grounding
 from verbteach.dialogue.carrying_out import described
 from verbteach.dialogue.decision import Candidate
 from verbteach.dialogue.draft import Draft
@@ -28,8 +29,9 @@ from verbteach.dialogue.proposals import grounding_questions
 from verbteach.dialogue.questions import ask
 from verbteach.dialogue.seeing import perceived
 from verbteach.dialogue.state import ReadBack
+from verbteach.dialogue.worth import essential
 from verbteach.perception.belief import Belief
-from verbteach.verbs.change import ObjectSet
+from verbteach.verbs.change import ObjectSet, StateChange
 from verbteach.verbs.hypothesis import Learner, NoHypothesis, Shown
 from verbteach.verbs.learning import derive, ground_goals, insisted, lifted_space, struck
 from verbteach.verbs.space import HypothesisSpace
@@ -52,6 +54,8 @@ def sum_up(draft: Draft) -> None:
     elif not demonstration.change(draft):
         demonstration.ask_for_more(draft, DemonstrationReason.NOTHING_CHANGED)
     else:
+        if draft.mind.asks:
+            draft.update(grounding=seen_grounding(draft, _seen_after(draft)))
         deliberate(draft)
 
 
@@ -61,6 +65,9 @@ def deliberate(draft: Draft) -> None:
     act = draft.choose(_options(draft, read_back), Phase.LEARNING)
     if isinstance(act, QUESTIONS):
         ask(draft, act, Phase.LEARNING)
+    elif isinstance(act, RequestDemonstration):
+        draft.end_phase()
+        demonstration.ask_for_more(draft, act.reason)
     else:
         draft.update(read_back=read_back)
         draft.wait(IncludeFluent(read_back.goal), Phase.READ_BACK)
@@ -69,6 +76,8 @@ def deliberate(draft: Draft) -> None:
 def _options(draft: Draft, read_back: ReadBack) -> list[Candidate]:
     """The policy's choices; what would be kept is always the goal that would be read back."""
     include = IncludeFluent(read_back.goal)
+    if not read_back.goal and not draft.mind.asks:
+        return [Candidate(RequestDemonstration(DemonstrationReason.NOTHING_CHANGED), {})]
     if not draft.mind.asks:
         return [
             *grounding_questions(draft),
@@ -76,7 +85,8 @@ def _options(draft: Draft, read_back: ReadBack) -> list[Candidate]:
         ]
     options = learning_inquiry(draft, _seen_after(draft)).candidates()
     questions = [one for one in options if isinstance(one.act, QUESTIONS)]
-    return [*questions, replace(options[-1], act=include)]
+    last = options[-1]
+    return [*questions, replace(last, act=include) if read_back.goal else last]
 
 
 def strike(draft: Draft, literal: Literal) -> None:
@@ -144,8 +154,8 @@ def abandon(draft: Draft) -> None:
 
 def _first_reading(draft: Draft) -> ReadBack:
     """What the robot makes of the demonstration, answers about what matters in it included."""
-    whole = demonstration.change(draft)
-    space = _space(draft)
+    whole = _changed(draft)
+    space = _space(draft, whole)
     goal = whole if space is None else _smallest(draft, space)
     wanted = answered(draft.episode, GoalRelevantYnq, "yes")
     unwanted = answered(draft.episode, GoalRelevantYnq, "no")
@@ -171,9 +181,9 @@ def _telling_order(draft: Draft, goal: Goal) -> tuple[int, int, list[Literal]]:
     return -about, -sum(literal.positive for literal in goal), sorted(goal)
 
 
-def _space(draft: Draft) -> HypothesisSpace | None:
+def _space(draft: Draft, whole: Goal) -> HypothesisSpace | None:
     """The demonstration's own space, over the widest object set that gives one."""
-    shown = _shown(draft)
+    shown = _shown(draft, whole)
     for objects in _NARROWER:
         parameters = replace(draft.mind.parameters.learning, object_set=objects)
         learner = Learner(draft.mind.setting.planner, draft.mind.setting.surroundings, parameters)
@@ -183,13 +193,30 @@ def _space(draft: Draft) -> HypothesisSpace | None:
     return None
 
 
-def _shown(draft: Draft) -> Shown:
-    """The demonstration as the robot saw it, through its noise."""
+def _changed(draft: Draft) -> Goal:
+    """What has changed as far as the robot can tell, and may be meant.
+
+    A robot that asks weighs what it saw with what the actions do and with what
+    it was told; She & Chai (2016) compare what was seen before and after.
+    """
+    setting = draft.mind.setting
+    if draft.mind.asks:
+        change = learning_inquiry(draft, _seen_after(draft)).change.likely
+    else:
+        before, after = draft.episode.belief.believed(), _seen_after(draft).believed()
+        change = StateChange.between(before, after, setting.scene.domain.static).literals
+    return essential(change, setting.lexicon)
+
+
+def _shown(draft: Draft, whole: Goal) -> Shown:
+    """The demonstration as the robot saw it: the believed world, and that with the change."""
     demonstrated = draft.episode.demonstrated
     if demonstrated is None:
         raise RuntimeError("nothing was demonstrated")
-    after = _seen_after(draft).believed()
-    return Shown(draft.episode.belief.believed(), demonstrated.actions, after)
+    before = draft.episode.belief.believed()
+    gone = {literal.fluent for literal in whole if not literal.positive}
+    come = {literal.fluent for literal in whole if literal.positive}
+    return Shown(before, demonstrated.actions, (before - gone) | come)
 
 
 def _seen_after(draft: Draft) -> Belief:

@@ -25,6 +25,12 @@ from verbteach.dialogue.acts import (
     Yes,
 )
 from verbteach.dialogue.asking import settled_in_bulk
+from verbteach.dialogue.contradictions import (
+    CONTRADICTORY,
+    contradiction,
+    was_put_again,
+    withdrawn,
+)
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.grounding import GroundingBelief
 from verbteach.dialogue.moves import Phase
@@ -82,6 +88,8 @@ def _read_words(draft: Draft, reply: Reply) -> Answer:
 def settle(draft: Draft, answer: Answer) -> bool:
     """Take the answer in. False where it did not answer the question, which is then put again."""
     question = draft.episode.question
+    if question is not None and _contradicts(draft, question, answer):
+        return False
     if isinstance(question, NpGrdWhq):
         problem = _settle_which(draft, question.np, answer)
     elif isinstance(question, NpGrdYnq):
@@ -94,6 +102,25 @@ def settle(draft: Draft, answer: Answer) -> bool:
         _put_again(draft, question, answer, problem)
         return False
     _close_question(draft, question, answer, problem)
+    return True
+
+
+def _contradicts(draft: Draft, question: RobotAct, answer: Answer) -> bool:
+    """Whether the question is put once more, since the answer does not go with an earlier one.
+
+    If it was put once more before, this answer counts and the earlier one does not.
+    """
+    objects = tuple(thing for thing, _ in answer.objects)
+    found = contradiction(draft, question, answer.label, objects)
+    if found is None:
+        return False
+    if was_put_again(draft.episode, question):
+        draft.update(asked=withdrawn(draft.episode, found.earlier))
+        return False
+    draft.update(asked=(*draft.episode.asked, Exchange(question, CONTRADICTORY)))
+    draft.count(questions=1)
+    draft.say(AskAgain(f"Before, you said that {found.said}. Both cannot be, so once more:"))
+    draft.wait(question, draft.episode.phase)
     return True
 
 

@@ -6,7 +6,7 @@ the language room's business.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,9 +16,10 @@ from verbteach.dialogue.demonstration import ordered
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.speech import Speech
 from verbteach.dialogue.state import EpisodeState
+from verbteach.dialogue.worth import spoken, without_departures
 from verbteach.language.distinguish import glimpse
 from verbteach.language.morphology import listing
-from verbteach.world.fluents import Goal
+from verbteach.world.fluents import Goal, Literal
 
 
 @dataclass(frozen=True)
@@ -91,7 +92,7 @@ def _env_pred_ynq(act: acts.EnvPredYnq, about: _About) -> str:
 
 
 def _goal_pred_ynq(act: acts.GoalPredYnq, about: _About) -> str:
-    return f"Is it true that {about.speech.words.should(act.literal)} at the end?"
+    return f"{_capital(about.speech.words.should_it(act.literal))} after {about.doing}?"
 
 
 def _pred_change_ynq(act: acts.PredChangeYnq, about: _About) -> str:
@@ -101,13 +102,12 @@ def _pred_change_ynq(act: acts.PredChangeYnq, about: _About) -> str:
 
 
 def _goal_relevant_ynq(act: acts.GoalRelevantYnq, about: _About) -> str:
-    return (
-        f"So after {about.doing}, is it part of it that {about.speech.words.should(act.literal)}?"
-    )
+    return f"So after {about.doing}, {about.speech.words.should_it(act.literal)}?"
 
 
 def _select_hypo(act: acts.SelectHypo, about: _About) -> str:
-    goal = listing([about.speech.words.describe(one) for one in ordered(act.goal)])
+    told = without_departures(ordered(act.goal))
+    goal = listing([about.speech.words.describe(one) for one in told])
     done = about.draft.trace.done if about.draft.trace else act.plan
     steps = listing([about.speech.words.action(step) for step in done])
     did = f" I {steps}." if steps else ""
@@ -127,10 +127,7 @@ def _request_demonstration(act: acts.RequestDemonstration, about: _About) -> str
 
 def _observe_step(act: acts.ObserveStep, about: _About) -> str:
     step = f"I see: {about.speech.words.action(act.action)}."
-    if not act.change:
-        return f"{step} So far nothing is different from before."
-    changes = "; ".join(about.speech.words.became(literal) for literal in act.change)
-    return f"{step} So far: {changes}."
+    return f"{step} {_so_far(act.change, about)}"
 
 
 def _refuse_step(act: acts.RefuseStep, about: _About) -> str:
@@ -142,10 +139,16 @@ def _revise_steps(act: acts.ReviseSteps, about: _About) -> str:
         return "Then I have seen no step yet."
     count = "one step" if len(act.steps) == 1 else f"{len(act.steps)} steps"
     last = about.speech.words.action(act.steps[-1])
-    if not act.change:
-        return f"I see {count} now, the last: {last}. So far nothing is different from before."
-    changes = "; ".join(about.speech.words.became(literal) for literal in act.change)
-    return f"I see {count} now, the last: {last}. So far: {changes}."
+    return f"I see {count} now, the last: {last}. {_so_far(act.change, about)}"
+
+
+def _so_far(change: Sequence[Literal], about: _About) -> str:
+    """What is different from before, as far as it is worth saying."""
+    said = spoken(frozenset(change), about.speech.setting.lexicon)
+    told = without_departures(literal for literal in change if literal in said)
+    if not told:
+        return "So far nothing is different from before."
+    return f"So far: {'; '.join(about.speech.words.became(literal) for literal in told)}."
 
 
 def _refuse_revision(act: acts.RefuseRevision, about: _About) -> str:
@@ -163,14 +166,17 @@ def _revise_verb(act: acts.ReviseVerb, about: _About) -> str:
 def _include_fluent(act: acts.IncludeFluent, about: _About) -> str:
     if not act.goal:
         return f"Then {about.doing} asks for nothing at all. Keep something, show me again or skip."
-    must = about.speech.words.goal(act.goal)
+    must = about.speech.words.goal(without_departures(ordered(act.goal)))
     return f"So after {about.doing}, {must}.{_need_not(about, act.goal)} Right?"
 
 
 def _need_not(about: _About, goal: Goal) -> str:
     """What changed as well and is not kept, told once so that a teacher can object."""
     read_back = about.episode.read_back if about.episode else None
-    rest = ordered(read_back.whole - goal) if read_back else ()
+    if not read_back or not read_back.whole - goal:
+        return ""
+    told = without_departures(ordered(read_back.whole | goal))
+    rest = [literal for literal in told if literal not in goal]
     if not rest:
         return ""
     changes = about.speech.words.changes(rest)

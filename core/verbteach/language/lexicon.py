@@ -32,7 +32,9 @@ class Lexicon:
     ``synonyms`` maps a noun to nouns that may mean the same ("cup": "mug").
     ``attributes`` maps an attribute's value to its kind ("red": "colour").
     ``particles`` maps a verb to the particles it takes ("turn": "on", "off").
-    ``fluents`` and ``actions`` word predicates and primitive actions.
+    ``fluents`` and ``actions`` word predicates and primitive actions. Predicates
+    in ``unspoken`` are the robot's own bookkeeping, which it neither says nor
+    asks; those in ``incidental`` are only meant where nothing else changes.
     """
 
     synonyms: Mapping[str, frozenset[str]] = field(default_factory=dict)
@@ -41,3 +43,5 @@ class Lexicon:
     particles: Mapping[str, frozenset[str]] = field(default_factory=dict)
     fluents: Mapping[str, FluentWording] = field(default_factory=dict)
     actions: Mapping[str, str] = field(default_factory=dict)
+    unspoken: frozenset[str] = frozenset()
+    incidental: frozenset[str] = frozenset()

@@ -45,6 +45,12 @@ class Wording:
         said = self._of(literal.fluent)
         return self._filled(said.should if literal.positive else said.should_not, literal.fluent)
 
+    def should_it(self, literal: Literal) -> str:
+        """``should the kettle be hot``, ``should the fridge not be open``: a question's start."""
+        said = self.should(literal)
+        subject, modal, rest = said.partition(" should ")
+        return f"should {subject} {rest}" if modal else f"is it so that {said}"
+
     def must(self, literal: Literal) -> str:
         """``the kettle must be hot``."""
         return self._with_modal(literal, "must")
