@@ -21,6 +21,7 @@ OPTIONS: Mapping[str, str] = {
     "sessions list": "--json",
     "sessions show": "--json",
     "sessions validate": "--json",
+    "sessions export": "--to --out --force --splits --json",
     "evaluate": "--policy --noise --noise-reading --grounding --data --test-data --runs"
     " --criterion --objects --json",
     "benchmark check": "--json",

@@ -31,6 +31,11 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "verbteach sessions validate my-sessions",
         "verbteach sessions validate my-sessions/20260101-120000-abcdefgh --json",
     ),
+    "verbteach sessions export": (
+        "verbteach sessions export my-sessions --to html --out pages",
+        "verbteach sessions export my-sessions --to jsonl --out dataset --splits splits.json",
+        "verbteach sessions export my-sessions/20260101-120000-abcdefgh --to asciicast --out casts",
+    ),
     "verbteach benchmark": ("verbteach benchmark check tell-me-dave",),
     "verbteach benchmark check": (
         "verbteach benchmark check tell-me-dave",

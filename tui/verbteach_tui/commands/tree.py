@@ -18,6 +18,7 @@ from verbteach_tui.commands import (
     replay,
     scenes,
     sessions,
+    sessions_export,
     teach,
 )
 from verbteach_tui.commands.examples import epilog
@@ -42,6 +43,7 @@ GROUPS: Mapping[str, tuple[str, Mapping[str, Command]]] = {
             "list": sessions.list_sessions,
             "show": sessions.show_session,
             "validate": sessions.validate,
+            "export": sessions_export.export,
         },
     ),
     "scenes": (
