@@ -1,8 +1,21 @@
-"""For all tests: property tests have no deadline, since a busy machine is no failure."""
+"""For all tests: property tests have no deadline, and nothing is kept in one's own folders."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+import pytest
 from hypothesis import settings
 
-settings.register_profile("patient", deadline=None)
+from verbteach_sessions.places import DATA_VARIABLE
+
+settings.register_profile("patient", deadline=None)  # a busy machine is no failure
 settings.load_profile("patient")
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _own_data_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
+    """Keys and sessions that no test names go to a folder of the tests' own."""
+    with pytest.MonkeyPatch.context() as patched:
+        patched.setenv(DATA_VARIABLE, str(tmp_path_factory.mktemp("data")))
+        yield

@@ -18,6 +18,7 @@ from verbteach_sessions.files import open_regular
 from verbteach_sessions.lines import MAX_LINE, VERSION, LineError, parse
 from verbteach_sessions.lock import in_use
 from verbteach_sessions.names import safe_name
+from verbteach_sessions.places import data_folder
 
 SESSIONS_VARIABLE = "VERBTEACH_SESSIONS"
 _TAIL = 256 * 1024
@@ -54,13 +55,12 @@ class Entry:
 def default_folder() -> Path:
     """Where sessions go unless another folder is named; it need not exist yet.
 
-    ``VERBTEACH_SESSIONS`` where it is set, else the platform's place for an
-    application's data.
+    ``VERBTEACH_SESSIONS`` where it is set, else in :func:`data_folder`.
     """
     named = os.environ.get(SESSIONS_VARIABLE)
     if named:
         return Path(named).expanduser()
-    return _data_folder() / "sessions"
+    return data_folder() / "sessions"
 
 
 def list_sessions(folder: Path) -> tuple[Entry, ...]:
@@ -109,12 +109,6 @@ def find_session(folder: Path, name: str) -> Path:
     if not (path / LOG_NAME).is_file():
         raise NotASessionError(f"{path}: holds no {LOG_NAME}")
     return path
-
-
-def _data_folder() -> Path:
-    from platformdirs import user_data_path  # noqa: PLC0415 - only where no folder is named
-
-    return user_data_path("verbteach", appauthor=False)
 
 
 def _header(log: BinaryIO) -> Mapping[str, Any]:

@@ -24,14 +24,15 @@ def content_of(event: Event) -> dict[str, Any] | None:
 
 
 class ContentHash:
-    """SHA-256 over the contents of the events added so far, in order.
+    """A hash of the contents of the events added so far, in order, each taken over the one before.
 
     A teacher's act waits for its reply: one that the robot failed to reply to
     was never said.
     """
 
-    def __init__(self) -> None:
-        self._hash = sha256()
+    def __init__(self, hexdigest: str = sha256().hexdigest()) -> None:
+        """``hexdigest``: the hash of what came before; that of nothing if it is left out."""
+        self._hash = bytes.fromhex(hexdigest)
         self._waiting = b""
 
     def add(self, event: Event) -> None:
@@ -45,10 +46,10 @@ class ContentHash:
         if event.type in (TEACHER, LEARNED):
             self._waiting += line
             return
-        self._hash.update(self._waiting + line)
+        self._hash = sha256(self._hash + self._waiting + line).digest()
         self._waiting = b""
 
     @property
     def hexdigest(self) -> str:
         """The hash so far, in hexadecimal."""
-        return self._hash.hexdigest()
+        return self._hash.hex()

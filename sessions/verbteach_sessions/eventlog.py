@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
 from verbteach_sessions import lines
+from verbteach_sessions.chain import Followed, Position, follow
 from verbteach_sessions.errors import (
     DamagedLogError,
     LogError,
@@ -22,7 +23,7 @@ from verbteach_sessions.errors import (
     TooLongError,
 )
 from verbteach_sessions.files import open_private, open_regular, sync_folder, write_all
-from verbteach_sessions.lines import GENESIS, MAX_LINE, Event
+from verbteach_sessions.lines import MAX_LINE, Event
 from verbteach_sessions.lock import WriterLock
 
 LOG_NAME = "events.jsonl"
@@ -36,12 +37,11 @@ class Draft(NamedTuple):
     data: Mapping[str, Any]
 
 
-class Position(NamedTuple):
-    """The end of a log: the next event's number, the last line's hash, the length in bytes."""
+class Start(NamedTuple):
+    """Where to begin reading: the lines before are followed, not read, and then handed over."""
 
-    seq: int = 0
-    prev: str = GENESIS
-    size: int = 0
+    position: Position
+    passed: Callable[[Followed], None]
 
 
 def log_path(path: Path) -> Path:
@@ -55,17 +55,22 @@ class LogReader:
     Raises :class:`LogError` at the first line that does not fit. A last line
     that was not written to its end is left out; ``torn`` then holds its bytes.
     ``position`` is the end of what was read, ``before_last`` the end before its
-    last event.
+    last event. With a ``start``, reading begins there; :class:`BrokenChainError`
+    where the lines before are not those that it knows.
     """
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, start: Start | None = None) -> None:
         self.path = log_path(path)
         self.position = self.before_last = Position()
         self.torn = b""
         self.unfinished = False
+        self._start = start
 
     def __iter__(self) -> Iterator[Event]:
         with open_regular(self.path) as file:
+            if self._start is not None:
+                self._start.passed(follow(file, self._start.position))
+                self.position = self.before_last = self._start.position
             while raw := file.readline(MAX_LINE + 1):
                 if len(raw) > MAX_LINE:
                     self._refuse(LogError, f"is longer than {MAX_LINE} bytes")
@@ -163,17 +168,24 @@ class EventLog:
         return cls(path, fd, lock, Position())
 
     @classmethod
-    def open(cls, path: Path, visit: Callable[[Event], None]) -> tuple[EventLog, tuple[str, ...]]:
+    def open(
+        cls,
+        path: Path,
+        visit: Callable[[Event], None],
+        start: Callable[[], Start | None] = lambda: None,
+    ) -> tuple[EventLog, tuple[str, ...]]:
         """An existing log, after ``visit`` has seen its events; a torn last line is cut off.
 
-        The texts say what was repaired. Raises :class:`SessionInUseError` before anything
+        The texts say what was repaired. ``start`` is asked where to begin once nobody
+        else can write. Raises :class:`SessionInUseError` before anything
         is read, and what :class:`LogReader` and ``visit`` raise.
         """
-        reader = LogReader(path)
-        if not reader.path.is_file():
+        found = log_path(path)
+        if not found.is_file():
             raise NotASessionError(f"{path}: holds no {LOG_NAME}")
-        lock = WriterLock(reader.path.parent)
+        lock = WriterLock(found.parent)
         try:
+            reader = LogReader(path, start())
             for event in reader:
                 visit(event)
             fd = open_private(reader.path, os.O_WRONLY | os.O_APPEND)
@@ -218,6 +230,11 @@ class EventLog:
             self._failure = error
             raise
         self.position = position
+
+    @property
+    def closed(self) -> bool:
+        """Whether nothing more can be written, because it was closed or the disk failed."""
+        return self._fd < 0 or self._failure is not None
 
     def close(self) -> None:
         """Let go of the file and of the lock. Closing twice is harmless."""

@@ -7,9 +7,10 @@ one, in between.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, fields, replace
-from typing import Any
+from typing import Any, TypeAlias
 
 from verbteach.dialogue.codec import teacher_act_from_json
 from verbteach.dialogue.robot import Robot
@@ -17,10 +18,12 @@ from verbteach.dialogue.setting import Settings
 from verbteach.dialogue.state import RobotState, Totals
 from verbteach_sessions import events as kinds
 from verbteach_sessions.content import ContentHash
+from verbteach_sessions.errors import CannotUndoError
 from verbteach_sessions.header import Header
-from verbteach_sessions.history import History
+from verbteach_sessions.history import History, Node
 from verbteach_sessions.lines import Event
 from verbteach_sessions.recording import robot_data
+from verbteach_sessions.turn_rows import Turn
 
 
 @dataclass(frozen=True)
@@ -35,7 +38,8 @@ class Reply:
 class Fold:
     """A session's state so far.
 
-    ``states`` holds the robot's state after each of its turns. They are
+    ``turns`` are all turns there were, undone ones too. ``states`` holds the
+    robot's state after each of them that was computed here. States are
     immutable, so going back to one is exact and costs nothing.
     """
 
@@ -43,7 +47,9 @@ class Fold:
         self.settings = settings
         self.history = History()
         self.content = ContentHash()
+        self.turns: list[Turn] = []
         self.states: dict[int, RobotState] = {}
+        self._saved: Saved | None = None
         self._header: Header | None = None
         self._robot: Robot | None = None
 
@@ -79,14 +85,94 @@ class Fold:
 
     def take(self, event: Event, reply: Reply | None = None) -> None:
         """Add an event that is in the log; a ``robot`` event with the reply it records."""
+        learned = self.history.learned
         self.history.take(event)
         self.content.add(event)
         if event.type == kinds.HEADER:
             self._header = Header.from_json(event.data)
+        if event.type == kinds.ROBOT and self.history.current is not None:
+            self.turns.append(Turn(self.history.current, None if learned is None else learned.seq))
         if reply is not None:
             self.states[event.seq] = reply.state
+        if event.type in (kinds.UNDO, kinds.REDO):
+            self._recall()
         if event.type in _MOVES and self.state is not None:
             self._stand(self.state)
+
+    def restore(
+        self,
+        history: History,
+        turns: Sequence[Turn],
+        state: RobotState,
+        content: str,
+        saved: Saved,
+    ) -> None:
+        """Stand where a fold over the same events stood, of which only this was kept.
+
+        ``state`` is the one that holds, ``content`` the content hash. ``saved``
+        gives the state after the turn of a number, where that was kept too.
+        Raises ``ValueError`` and ``SessionError`` where the header cannot be.
+        """
+        if history.current is None or history.header is None:
+            raise ValueError("nothing was said")
+        self._header = Header.from_json(history.header.data)
+        self.history, self.turns = history, list(turns)
+        self.content = ContentHash(content)
+        self.states[history.current.seq] = state
+        self._saved = saved
+        self._stand(state)
+
+    def state_of(self, node: Node) -> RobotState:
+        """The state after a turn, recomputed from the nearest one known where it was not kept.
+
+        Raises :class:`CannotUndoError` where that gives something else than was recorded.
+        """
+        way = [node]
+        while not self._known(way[-1]) and not way[-1].root and way[-1].parent is not None:
+            way.append(way[-1].parent)
+        for one in reversed(way):
+            if one.seq not in self.states:
+                self.states[one.seq] = self._recomputed(one)
+        return self.states[node.seq]
+
+    def _known(self, node: Node) -> bool:
+        """Whether the state after a turn is at hand; one that was saved is fetched."""
+        if node.seq not in self.states and self._saved is not None:
+            state = self._saved(node.seq)
+            if state is not None and state.digest == node.after["digest"]:
+                self.states[node.seq] = state
+        return node.seq in self.states
+
+    def _recomputed(self, node: Node) -> RobotState:
+        state = self._reached(node)
+        if state is None or state.digest != node.after["digest"]:
+            raise CannotUndoError(
+                f"event {node.seq} cannot be gone back to: recomputing it gives something else"
+                " than was recorded"
+            )
+        return state
+
+    def _reached(self, node: Node) -> RobotState | None:
+        """The state after a turn, from that of the turn before it."""
+        if node.root:
+            return self._opened(node.after["scene"], node.parent)
+        if node.parent is None or node.teacher is None:
+            return None
+        stood = self.robot.state
+        self.robot.state = self.states[node.parent.seq]
+        try:
+            return self._answer(node.teacher)
+        except (LookupError, ValueError):  # a scene or an object that is no more
+            return None
+        finally:
+            self.robot.state = stood
+
+    def _recall(self) -> None:
+        """After going back past what was computed here: the state that was there."""
+        current = self.history.current
+        if self._saved is not None and current is not None:
+            with suppress(CannotUndoError):
+                self.state_of(current)
 
     def _answer(self, event: Event) -> RobotState:
         act = teacher_act_from_json(event.data["act"])
@@ -98,21 +184,27 @@ class Fold:
             self.robot.state = before
 
     def _begin(self, event: Event) -> RobotState:
+        before = self.history.current if event.type == kinds.REBUILD else None
+        return self._opened(event.data["scene"], before)
+
+    def _opened(self, scene: str, before: Node | None) -> RobotState:
+        """The state of a robot that opens a scene, after a rebuild with what was learned before."""
         records = [*self.header.learned_before]
-        if event.type == kinds.REBUILD:
-            records += self.history.records()
+        if before is not None:
+            records += self.history.records(before)
         robot = self.header.method.robot(self.settings, records)
-        robot.open(event.data["scene"])
-        if event.type == kinds.REBUILD and self.history.current is not None:
-            totals = _totals(self.history.current.after["totals"])
-            return replace(robot.state, totals=totals)
-        return robot.state
+        robot.open(scene)
+        if before is None:
+            return robot.state
+        return replace(robot.state, totals=_totals(before.after["totals"]))
 
     def _stand(self, state: RobotState) -> None:
         if self._robot is None:
             self._robot = self.header.method.robot(self.settings)
         self._robot.state = state
 
+
+Saved: TypeAlias = Callable[[int], RobotState | None]
 
 _MOVES = frozenset({kinds.ROBOT, kinds.UNDO, kinds.REDO})
 

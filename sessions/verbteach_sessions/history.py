@@ -96,6 +96,12 @@ class History:
         return tuple(found)
 
     @property
+    def at_rest(self) -> bool:
+        """Whether nobody owes a reply: the robot has spoken, and nothing was said since."""
+        waiting = (self.teacher, self.learned, self.root)
+        return self.current is not None and all(one is None for one in waiting)
+
+    @property
     def redone(self) -> Node | None:
         """The turn that a redo would lead to."""
         return self.redoable[-1] if self.redoable else None

@@ -10,8 +10,10 @@ from verbteach.dialogue.moves import IllegalMoveError
 from verbteach.dialogue.setting import UnknownObjectError, UnknownSceneError
 from verbteach.language.agreement import NoSecondReaderError
 from verbteach_sessions import events as kinds
+from verbteach_sessions.chain import Position
+from verbteach_sessions.checkpoints import Checkpoints
 from verbteach_sessions.errors import StorageError, TooLongError
-from verbteach_sessions.eventlog import Draft, EventLog, Position
+from verbteach_sessions.eventlog import Draft, EventLog
 from verbteach_sessions.fold import Fold, Reply
 from verbteach_sessions.lines import Event
 
@@ -23,15 +25,23 @@ MISFITS = (IllegalMoveError, UnknownSceneError, UnknownObjectError, NoSecondRead
 class Recorder:
     """The one way into a session's log; ``now`` gives the session time in seconds."""
 
-    def __init__(self, log: EventLog, fold: Fold, now: Callable[[], float]) -> None:
+    def __init__(
+        self,
+        log: EventLog,
+        fold: Fold,
+        now: Callable[[], float],
+        checkpoints: Checkpoints | None = None,
+    ) -> None:
         self.log = log
         self.fold = fold
         self.now = now
+        self._checkpoints = checkpoints
 
     def add(self, kind: str, data: Mapping[str, Any], at: float | None = None) -> Event:
         """Record an event that the robot does not reply to."""
         (event,) = self.log.append([self._draft(kind, data, at)])
         self.fold.take(event)
+        self._checkpoint()
         return event
 
     def begin(self, root: Event) -> None:
@@ -74,6 +84,12 @@ class Recorder:
         """Record that the robot will not reply to the act."""
         self.add(kinds.FAULT, _fault(teacher, error))
 
+    def close(self) -> None:
+        """Let go of the log, keeping where it stands. Closing twice is harmless."""
+        if not self.log.closed:
+            self._checkpoint(now=True)
+        self.log.close()
+
     def _keep(self, said: tuple[Event, ...], reply: Reply) -> None:
         at = self.now()
         drafts = [Draft(kinds.ROBOT, at, reply.robot)]
@@ -83,6 +99,11 @@ class Recorder:
         for event in (*said, *others):
             self.fold.take(event)
         self.fold.take(robot, reply)
+        self._checkpoint()
+
+    def _checkpoint(self, *, now: bool = False) -> None:
+        if self._checkpoints is not None:
+            self._checkpoints.keep(self.fold, self.log.position, now=now)
 
     def _keep_fault(self, teacher: Event, error: Exception) -> None:
         (fault,) = self.log.append([self._draft(kinds.FAULT, _fault(teacher, error))])

@@ -7,13 +7,16 @@ what was learned is rebuilt from it, and the scene begins anew.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
 from verbteach.dialogue.setting import Settings
 from verbteach_sessions import events as kinds
+from verbteach_sessions.chain import BrokenChainError, Followed
+from verbteach_sessions.checkpoints import Checkpoints, StaleCheckpointError
 from verbteach_sessions.errors import LogError
-from verbteach_sessions.eventlog import EventLog
+from verbteach_sessions.eventlog import EventLog, Start, log_path
 from verbteach_sessions.fold import Fold
 from verbteach_sessions.header import Header, Machine
 from verbteach_sessions.header_file import header_fits, write_header
@@ -38,25 +41,53 @@ def reopen(
     Raises the errors of reading a log, ``SessionInUseError``, ``StorageError``
     ``UnknownSceneError`` and ``NoSecondReaderError``.
     """
-    past = _Past(path, settings)
-    log, warnings = EventLog.open(path, past.take)
+    past, log, warnings = _read(path, settings, machine)
     try:
         opened = clock() - past.last.at
-        recorder = Recorder(log, past.fold, lambda: round(clock() - opened, 4))
+        now = partial(_session_time, clock, opened)
+        recorder = Recorder(log, past.fold, now, past.checkpoints)
         return Reopened(recorder, _repair(recorder, past, warnings, machine))
     except BaseException:
         log.close()
         raise
 
 
+def _session_time(clock: Callable[[], float], opened: float) -> float:
+    return round(clock() - opened, 4)
+
+
+def _read(
+    path: Path, settings: Settings, machine: Machine
+) -> tuple[_Past, EventLog, tuple[str, ...]]:
+    """Read from the last checkpoint on, or all where that does not serve."""
+    past = _Past(path, settings, machine)
+    try:
+        return past, *EventLog.open(path, past.take, past.start)
+    except (BrokenChainError, StaleCheckpointError):
+        past = _Past(path, settings, machine)
+        past.checkpoints.forget()
+        return past, *EventLog.open(path, past.take)
+
+
 class _Past:
     """Recomputes a log as it is read, holding back a ``learned`` event until its reply comes."""
 
-    def __init__(self, path: Path, settings: Settings) -> None:
+    def __init__(self, path: Path, settings: Settings, machine: Machine) -> None:
         self._path = path
         self._recomputing = Recomputing(settings)
         self._held: Event | None = None
         self._last: Event | None = None
+        programs = {"Python": machine.python, **machine.software}
+        self.checkpoints = Checkpoints(log_path(path), programs)
+
+    def start(self) -> Start | None:
+        """Where the last checkpoint stands, if there is one."""
+        position = self.checkpoints.start()
+        return Start(position, self._passed) if position.seq else None
+
+    def _passed(self, followed: Followed) -> None:
+        self.checkpoints.restore(self.fold, followed)
+        self._last = self.fold.history.last
 
     def take(self, event: Event) -> None:
         held, self._held, self._last = self._held, None, event

@@ -20,6 +20,7 @@ from verbteach.dialogue.robot import Robot
 from verbteach.dialogue.setting import Settings
 from verbteach.dialogue.turn import RobotTurn
 from verbteach_sessions import events as kinds
+from verbteach_sessions.checkpoints import Checkpoints
 from verbteach_sessions.errors import CannotUndoError, SessionEndedError
 from verbteach_sessions.eventlog import EventLog
 from verbteach_sessions.files import make_private_folder
@@ -67,7 +68,13 @@ class Session:
             undoing.callback(shutil.rmtree, path, ignore_errors=True)
             log = EventLog.create(path)
             undoing.callback(log.close)
-            recorder = Recorder(log, Fold(settings), lambda: round(clock() - opened, 4))
+            machine = header.machine
+            recorder = Recorder(
+                log,
+                Fold(settings),
+                lambda: round(clock() - opened, 4),
+                Checkpoints(log.path, {"Python": machine.python, **machine.software}),
+            )
             first = recorder.add(kinds.HEADER, header.to_json(), 0.0)
             write_header(path, first)
             recorder.begin(first)
@@ -169,7 +176,7 @@ class Session:
 
     def close(self) -> None:
         """Let go of the log; the session can be resumed. Closing twice is harmless."""
-        self._recorder.log.close()
+        self._recorder.close()
 
     def __enter__(self) -> Session:
         return self
@@ -192,7 +199,7 @@ class Session:
             case Redo(turns=turns):
                 self._move(kinds.REDO, self._redone(turns), person, now)
             case Why():
-                return self._remark(kinds.WHY, (self.robot.explain(),), person, now)
+                return self._remark(kinds.WHY, self.robot.explain(), person, now)
             case Repeat():
                 return self._remark(kinds.REPEAT, self.robot.repeat(), person, now)
             case Flag():
@@ -225,7 +232,7 @@ class Session:
         return forward[-turns]
 
     def _move(self, kind: str, to: Node, person: Mapping[str, Any], now: float) -> None:
-        data = {**person, "to": to.seq, "after": after(self._fold.states[to.seq])}
+        data = {**person, "to": to.seq, "after": after(self._fold.state_of(to))}
         self._recorder.add(kind, data, now)
 
     def _remark(

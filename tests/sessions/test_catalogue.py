@@ -146,6 +146,9 @@ def test_the_default_folder_can_be_named(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setenv("VERBTEACH_SESSIONS", "~/lessons")
     assert default_folder() == Path.home() / "lessons"
     monkeypatch.setenv("VERBTEACH_SESSIONS", "")
+    monkeypatch.setenv("VERBTEACH_DATA", "~/kept")
+    assert default_folder() == Path.home() / "kept" / "sessions"
+    monkeypatch.delenv("VERBTEACH_DATA")
     assert default_folder().parts[-2:] == ("verbteach", "sessions")
 
 
