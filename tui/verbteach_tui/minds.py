@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from verbteach.dialogue import acts
 from verbteach.dialogue.decision import Candidate, Decision
 from verbteach.dialogue.demonstration import ordered
+from verbteach.dialogue.explanation import label
 from verbteach.dialogue.grounding import GroundingBelief
 from verbteach.dialogue.speech import Speech
 from verbteach.dialogue.state import RankedGoal, RobotState
@@ -14,6 +14,7 @@ from verbteach_tui.views.labels import Labels
 from verbteach_tui.views.mind import ActValue, GoalBelief, Mind, PhraseBelief, Share
 
 _GOALS = 12
+_SEEN = 0.005  # what two decimals show
 
 
 def mind_of(
@@ -33,7 +34,7 @@ def mind_of(
     return Mind(
         _phrases(episode.grounding, labels, before),
         _goals(episode.goals, speech),
-        _acts(state.turn.decisions[-1]) if state.turn.decisions else (),
+        _acts(state.turn.decisions[-1], speech) if state.turn.decisions else (),
         verbs,
     )
 
@@ -66,7 +67,7 @@ def _goals(goals: tuple[RankedGoal, ...], speech: Speech) -> tuple[GoalBelief, .
     )
 
 
-def _acts(decision: Decision) -> tuple[ActValue, ...]:
+def _acts(decision: Decision, speech: Speech) -> tuple[ActValue, ...]:
     """The chosen act first, then the others by their value."""
     if len(decision.candidates) < 2:
         return ()
@@ -74,21 +75,11 @@ def _acts(decision: Decision) -> tuple[ActValue, ...]:
         range(len(decision.candidates)),
         key=lambda i: (i != decision.chosen, -(decision.candidates[i].value or 0.0), i),
     )
-    return tuple(_value(decision.candidates[i], i == decision.chosen) for i in order)
+    return tuple(_value(decision.candidates[i], i == decision.chosen, speech) for i in order)
 
 
-def _value(candidate: Candidate, chosen: bool) -> ActValue:
-    return ActValue(_told(candidate.act), candidate.value, chosen)
-
-
-def _told(act: acts.RobotAct) -> str:
-    match act:
-        case acts.NpGrdWhq(np=phrase) | acts.NpGrdYnq(np=phrase):
-            return f'{act.name} "{phrase}"'
-        case acts.SelectHypo(plan=plan):
-            return f"{act.name}, {len(plan)} steps"
-        case acts.IncludeFluent(goal=goal):
-            return f"{act.name}, {len(goal)} fluents"
-        case acts.RequestDemonstration():
-            return "ask to be shown"
-    return act.name
+def _value(candidate: Candidate, chosen: bool, speech: Speech) -> ActValue:
+    shares = candidate.shares
+    largest = sorted(shares, key=lambda name: (-abs(shares[name]), name))
+    parts = tuple((name, shares[name]) for name in largest if abs(shares[name]) >= _SEEN)
+    return ActValue(label(candidate.act, speech), candidate.value, chosen, parts)

@@ -1,68 +1,122 @@
-"""Why do you ask? The same numbers that chose the act, in words."""
+"""Why do you ask? The same numbers that chose the act, in words.
+
+Three things are told: what is unsure, the acts that were weighed with their
+values and what made them up, and what a yes and a no would change.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from typing import Any
+
 from verbteach.dialogue import acts
+from verbteach.dialogue.consequences import consequences
 from verbteach.dialogue.decision import Candidate, Decision
-from verbteach.dialogue.setting import Setting
+from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.speech import Speech
-from verbteach.dialogue.state import RobotState
+from verbteach.dialogue.uncertainty import uncertainty
+from verbteach.world.fluents import Literal
 
 _SHOWN = 3
+_SEEN = 0.005  # what two decimals show
 
 
-def explain(state: RobotState, setting: Setting) -> str:
-    """The last decision: its reason, the alternatives with their numbers, what an answer does."""
-    if not state.turn.decisions:
-        return "I did not have to choose: this is what comes next."
-    decision = state.turn.decisions[-1]
-    speech = Speech.of(setting, state.world)
-    parts = [f"Because {decision.reason}." if decision.reason else "", _options(decision)]
-    parts.append(_consequence(decision.act, speech))
-    return " ".join(part for part in parts if part)
+def explain(draft: Draft) -> tuple[str, ...]:
+    """The robot's last turn, in a few sentences each of which can stand for itself."""
+    turn = draft.state.turn
+    act = turn.waiting_act
+    if not turn.decisions and not isinstance(act, acts.QUESTIONS):
+        return ("I did not have to choose: this is what comes next.",)
+    speech = Speech.of(draft.mind.setting, draft.state.world)
+    decision = turn.decisions[-1] if turn.decisions else None
+    weighed = decision.candidates[decision.chosen] if decision else Candidate(act, {})
+    told = [
+        uncertainty(draft, weighed, speech),
+        _weighed(decision, speech) if decision else "",
+        consequences(draft, act, speech),
+    ]
+    return tuple(sentence for sentence in told if sentence)
 
 
-def _options(decision: Decision) -> str:
-    ranked = sorted(
+def _weighed(decision: Decision, speech: Speech) -> str:
+    """The acts that were weighed, the chosen one first, then by their value."""
+    order = sorted(
         range(len(decision.candidates)),
         key=lambda i: (i != decision.chosen, -(decision.candidates[i].value or 0.0), i),
     )
-    shown = [_option(decision.candidates[index]) for index in ranked[:_SHOWN]]
-    return f"I weighed: {'; '.join(shown)}."
+    shown = [_option(decision.candidates[index], speech) for index in order[:_SHOWN]]
+    rest = len(order) - len(shown)
+    more = f"; and {rest} more" if rest else ""
+    return f"I weighed: {'; '.join(shown)}{more}.{_why(decision)}"
 
 
-def _option(candidate: Candidate) -> str:
-    numbers = [f"{name} {value:.2f}" for name, value in sorted(candidate.features.items())]
+def _why(decision: Decision) -> str:
+    if decision.explored:
+        return f" I took it to find out: {decision.reason}."
+    return (
+        f" I took the first because it is {decision.reason}."
+        if _valued(decision)
+        else (f" I took the first: {decision.reason}." if decision.reason else "")
+    )
+
+
+def _valued(decision: Decision) -> bool:
+    return decision.candidates[decision.chosen].value is not None
+
+
+def _option(candidate: Candidate, speech: Speech) -> str:
+    numbers = _parts(candidate.shares) if candidate.shares else _features(candidate.features)
     if candidate.value is not None:
-        numbers.insert(0, f"Q {candidate.value:.2f}")
-    told = f" ({', '.join(numbers)})" if numbers else ""
-    return f"{_label(candidate.act)}{told}"
+        numbers = f"Q {candidate.value:.2f} = {numbers}" if numbers else f"Q {candidate.value:.2f}"
+    return (
+        f"{label(candidate.act, speech)} ({numbers})" if numbers else label(candidate.act, speech)
+    )
 
 
-def _label(act: acts.RobotAct) -> str:
-    match act:
-        case acts.NpGrdWhq(np=phrase):
-            return f'ask which is "{phrase}"'
-        case acts.NpGrdYnq(np=phrase, object=thing):
-            return f'ask whether "{phrase}" is {thing}'
-        case acts.SelectHypo(plan=plan):
-            return f"carry it out in {len(plan)} steps"
-        case acts.IncludeFluent(goal=goal):
-            return f"keep a goal of {len(goal)} fluents"
-        case acts.RequestDemonstration():
-            return "ask to be shown"
-        case _:
-            return act.name
+def _parts(shares: Mapping[str, float]) -> str:
+    """The largest parts of a value, and the sum of the others, so that they add up."""
+    order = sorted(shares, key=lambda name: (-abs(shares[name]), name))
+    shown = [name for name in order[:_SHOWN] if abs(shares[name]) >= _SEEN]
+    rest = sum(shares[name] for name in order if name not in shown)
+    parts = [f"{shares[name]:+.2f} {name}" for name in shown]
+    return " ".join([*parts, *([f"{rest:+.2f} others"] if abs(rest) >= _SEEN else [])])
 
 
-def _consequence(act: acts.RobotAct, speech: Speech) -> str:
-    if isinstance(act, acts.NpGrdYnq):
-        thing = speech.thing(act.object)
-        return f'A yes makes me sure that "{act.np}" is {thing}; a no rules it out.'
-    if isinstance(act, acts.NpGrdWhq):
-        return f'Your answer makes me sure what "{act.np}" is.'
-    if isinstance(act, acts.SelectHypo):
-        return "If it was right I keep to this goal; if not I put everything back and watch you."
-    if isinstance(act, acts.IncludeFluent):
-        return "If it is right I keep this goal for the verb; if not you can correct it."
-    return ""
+def _features(features: Mapping[str, float]) -> str:
+    return ", ".join(f"{name} {value:.2f}" for name, value in sorted(features.items())[:_SHOWN])
+
+
+def label(act: acts.RobotAct, speech: Speech) -> str:
+    """The act as something that could be done: "ask whether the mug should be in the sink"."""
+    said = _LABELS.get(type(act))
+    return said(act, speech) if said else act.name
+
+
+def _parts_of(act: acts.IncludeFluent, speech: Speech) -> str:
+    count = len(act.goal)
+    return f"read back a goal of {count} part{'s' * (count != 1)}"
+
+
+_Label = Callable[[Any, Speech], str]
+_LABELS: Mapping[type[acts.RobotAct], _Label] = {
+    acts.NpGrdWhq: lambda act, speech: f'ask which is "{act.np}"',
+    acts.NpGrdYnq: lambda act, speech: f'ask whether "{act.np}" is {speech.thing(act.object)}',
+    acts.BulkNpGrdYnq: lambda act, speech: f"ask about {len(act.pairs)} things at once",
+    acts.EnvPredYnq: lambda act, speech: (
+        f"ask whether now {speech.words.describe(Literal(act.fluent))}"
+    ),
+    acts.GoalPredYnq: lambda act, speech: (
+        f"ask whether {speech.words.should(act.literal)} in the end"
+    ),
+    acts.PredChangeYnq: lambda act, speech: (
+        f"ask whether you made it so that {speech.words.describe(act.literal)}"
+    ),
+    acts.GoalRelevantYnq: lambda act, speech: (
+        f"ask whether it matters that {speech.words.describe(act.literal)}"
+    ),
+    acts.SelectHypo: lambda act, speech: (
+        f"carry it out in {len(act.plan)} steps" if act.plan else "carry out my best guess"
+    ),
+    acts.IncludeFluent: _parts_of,
+    acts.RequestDemonstration: lambda act, speech: "ask to be shown",
+}

@@ -104,9 +104,9 @@ class Robot:
             check_object(self.setting, act.object)
         return self._turn(self.state, lambda draft: _HANDLERS[phase](draft, act))
 
-    def explain(self) -> str:
+    def explain(self) -> tuple[str, ...]:
         """Why the robot's last turn asks or does what it does; changes nothing."""
-        return explain(self.state, self.setting)
+        return explain(Draft(self._mind(self.state), self.state))
 
     def repeat(self) -> tuple[str, ...]:
         """The last turn's sentences; changes nothing."""
@@ -127,11 +127,13 @@ class Robot:
         return self._turn(state, await_command)
 
     def _turn(self, state: RobotState, make: Callable[[Draft], None]) -> RobotTurn:
-        mind = Mind(self.parameters, self.policy, self.settings(state.scene))
-        draft = Draft(mind, state)
+        draft = Draft(self._mind(state), state)
         make(draft)
         self._state = _finished(draft)
         return self._state.turn
+
+    def _mind(self, state: RobotState) -> Mind:
+        return Mind(self.parameters, self.policy, self.settings(state.scene))
 
 
 def _finished(draft: Draft) -> RobotState:

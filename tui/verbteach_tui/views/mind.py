@@ -6,12 +6,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from verbteach_tui.views.rows import Row, Span, clipped, padded, width_of, wrapped
+from verbteach_tui.views.rows import GLUE, Row, Span, clipped, padded, unglued, width_of, wrapped
 from verbteach_tui.views.visible import shortened
 
 _BAR = 12
 _EIGHTHS = " ▏▎▍▌▋▊▉"
 _FEWEST, _MOST = 3, 5
+_PARTS = 3
 
 
 class Share(NamedTuple):
@@ -40,11 +41,15 @@ class GoalBelief(NamedTuple):
 
 
 class ActValue(NamedTuple):
-    """An act the robot could choose, its value under the policy, and whether it chose it."""
+    """An act the robot could choose, its value under the policy, and whether it chose it.
+
+    ``shares`` are the features' parts of the value, weight times feature, the largest first.
+    """
 
     text: str
     value: float | None
     chosen: bool = False
+    shares: tuple[tuple[str, float], ...] = ()
 
 
 class KnownVerb(NamedTuple):
@@ -86,7 +91,9 @@ def mind_rows(mind: Mind, width: int) -> list[Row]:
         rows += _more(len(mind.goals) - _MOST, "less likely goal", width)
     if mind.acts:
         rows += _section("What it weighed doing", rows, width)
-        rows += [_act(act, width) for act in mind.acts[:_FEWEST]]
+        for act in mind.acts[:_FEWEST]:
+            rows += _act(act, width)
+        rows += _more(len(mind.acts) - _FEWEST, "act worth less", width, "acts worth less")
     return rows + _verbs(mind.verbs, rows, width)
 
 
@@ -137,11 +144,21 @@ def _goal(goal: GoalBelief, rank: int, width: int) -> list[Row]:
     return wrapped([Span(text)], width, width_of(prefix), prefix)
 
 
-def _act(act: ActValue, width: int) -> Row:
+def _act(act: ActValue, width: int) -> list[Row]:
+    """The act with its value, and below it what the value is made of."""
     value = "     –" if act.value is None else f"{act.value:6.2f}"
     style = "strong" if act.chosen else "text"
     mark = Span("▸ " if act.chosen else "  ", "accent")
-    return clipped([mark, Span(value, style), Span(f"  {act.text}", style)], width)
+    prefix = [mark, Span(value, style), Span("  ")]
+    rows = wrapped([Span(act.text, style)], width, width_of(prefix), prefix)
+    parts = [f"{share:+.2f}{GLUE}{name}" for name, share in act.shares[:_PARTS]]
+    rest = sum(share for _, share in act.shares[_PARTS:])
+    parts += [f"{rest:+.2f}{GLUE}others"] if abs(rest) >= 0.005 else []
+    if not parts:
+        return rows
+    indent = width_of(prefix)
+    told = wrapped([Span(" ".join(parts), "muted")], width, indent, [Span(" " * indent)])
+    return [*rows, *map(unglued, told)]
 
 
 def _verbs(verbs: Iterable[KnownVerb], above: Sequence[Row], width: int) -> list[Row]:
@@ -165,7 +182,8 @@ def _verb(verb: KnownVerb, width: int) -> list[Row]:
     return rows
 
 
-def _more(count: int, what: str, width: int) -> list[Row]:
+def _more(count: int, what: str, width: int, plural: str = "") -> list[Row]:
     if count <= 0:
         return []
-    return [clipped([Span(f"  and {count} {what}{'s' * (count != 1)}", "muted")], width)]
+    told = what if count == 1 else plural or f"{what}s"
+    return [clipped([Span(f"  and {count} {told}", "muted")], width)]
