@@ -1,0 +1,1 @@
+"""How well would another policy have done? Off-policy evaluation of logged choices."""
