@@ -81,6 +81,10 @@ class VerbteachApp(App[None]):
         return VARIABLES
 
     def on_mount(self) -> None:
+        """The first screen."""
+        self.begin()
+
+    def begin(self) -> None:
         """Home, or straight into a session."""
         opening = self.options.opening
         if isinstance(opening, OpenHome):
@@ -110,6 +114,10 @@ class VerbteachApp(App[None]):
         """Open a session in a worker, and enter it when it is open."""
         what = opening.scene if isinstance(opening, OpenNew) else opening.path.name
         self.push_screen(OpeningScreen(what))
+        self.open_in_worker(opening)
+
+    def open_in_worker(self, opening: OpenNew | OpenSession) -> None:
+        """Open a session in a worker; ``SessionOpened`` or ``SessionNotOpened`` follows."""
         self.run_worker(
             partial(self._opened, opening), thread=True, exit_on_error=False, group="open"
         )

@@ -8,10 +8,11 @@ when a session is opened, so that the home screen appears at once.
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from verbteach_tui.conclusion import WrongUseError
 
@@ -33,7 +34,7 @@ class Choices:
     """The method that a new session runs under, by the names on the command line.
 
     ``weights`` is a file for the policy ``rl`` to begin with; with ``freeze`` it
-    stays as it is.
+    stays as it is. ``questions`` is the most it asks about one command.
     """
 
     policy: str = "she16"
@@ -43,6 +44,7 @@ class Choices:
     second_opinion: bool = False
     weights: Path | None = None
     freeze: bool = False
+    questions: int | None = None
 
 
 @dataclass(frozen=True)
@@ -62,6 +64,7 @@ class Beginning:
     choices: Choices = field(default_factory=Choices)
     participant: str | None = None
     before: Path | None = None
+    study: Mapping[str, Any] | None = None
     opened: list[Session] = field(default_factory=list, compare=False)
 
     def setting(self, scene: str) -> Setting:
@@ -88,6 +91,7 @@ class Beginning:
         from verbteach.dialogue.parameters import RobotParameters
         from verbteach.perception.noise import NoiseModel
         from verbteach_sessions.method import POLICIES, Method
+        from verbteach_sessions.study.capping import capped
 
         chosen = self.choices
         if chosen.policy not in POLICIES:
@@ -95,6 +99,8 @@ class Beginning:
             raise WrongUseError(f"this version has no policy {chosen.policy!r}; it has: {has}")
         noise = NoiseModel.named(chosen.noise, chosen.noise_reading)
         parameters = RobotParameters(seed=chosen.seed, noise=noise)
+        if chosen.questions is not None:
+            parameters = capped(parameters, chosen.questions)
         if chosen.policy == LEARNED:
             return Method(self._learned_policy(), parameters, chosen.second_opinion)
         if chosen.weights is not None or chosen.freeze:
@@ -140,6 +146,7 @@ class Beginning:
             terminal=_terminal_size(),
             teacher=self.teacher,
             participant=self.participant,
+            study=self.study,
             source=self.source,
         )
         return self._keep(Session.create(self.folder, header, self.setting))

@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
-from typing import TYPE_CHECKING, TextIO
+from typing import TYPE_CHECKING, Protocol, TextIO
 
 from verbteach_tui.views.visible import visible
 
@@ -14,9 +14,30 @@ if TYPE_CHECKING:
     from prompt_toolkit import PromptSession
 
     from verbteach_sessions.session import Session
-    from verbteach_tui.plain_talk import Talk
 
 DONE, WRONG = 0, 2
+NOTE = "Note: type help for what you can say, look for what is in the room."
+
+
+class Conversation(Protocol):
+    """What can be led in lines: a session, or a study with sessions in it."""
+
+    @property
+    def ended(self) -> bool:
+        """Whether the person has left."""
+        ...
+
+    def opening(self) -> list[str]:
+        """What stands at the beginning."""
+        ...
+
+    def hear(self, line: str, via: str) -> list[str]:
+        """Take a line; answer with the lines to print. Raises ``MisfitError``."""
+        ...
+
+    def complete(self, text: str) -> list[str]:
+        """What ``text`` may become."""
+        ...
 
 
 def run_plain(session: Session, input: TextIO | None = None, output: TextIO | None = None) -> int:
@@ -30,14 +51,27 @@ def run_plain(session: Session, input: TextIO | None = None, output: TextIO | No
     """
     from verbteach_tui.plain_talk import Talk
 
-    talk, out = Talk(session), output or sys.stdout
+    return lead(Talk(session), input, output)
+
+
+def lead(
+    talk: Conversation,
+    input: TextIO | None = None,
+    output: TextIO | None = None,
+    note: str = NOTE,
+) -> int:
+    """Lead any conversation as :func:`run_plain` leads a session; the exit status.
+
+    ``note`` is said first to a person at the keyboard.
+    """
+    out = output or sys.stdout
     _print(out, talk.opening())
     if input is None and sys.stdin.isatty():
-        return _at_the_keyboard(talk, out)
+        return _at_the_keyboard(talk, out, note)
     return _from_lines(talk, out, input or _lenient(sys.stdin))
 
 
-def _from_lines(talk: Talk, out: TextIO, lines: Iterable[str]) -> int:
+def _from_lines(talk: Conversation, out: TextIO, lines: Iterable[str]) -> int:
     """Read lines to their end; the first one that does not fit is reported and ends it."""
     from verbteach_tui.plain_talk import MisfitError
 
@@ -57,12 +91,11 @@ def _from_lines(talk: Talk, out: TextIO, lines: Iterable[str]) -> int:
     return DONE
 
 
-def _at_the_keyboard(talk: Talk, out: TextIO) -> int:
+def _at_the_keyboard(talk: Conversation, out: TextIO, note: str) -> int:
     """Read the keyboard until the person leaves, by ``quit`` or Ctrl-D."""
-    from verbteach_sessions.session_acts import Quit
     from verbteach_tui.plain_talk import MisfitError
 
-    _print(out, ["Note: type help for what you can say, look for what is in the room."])
+    _print(out, [note] if note else [])
     ask = _prompt(talk, out)
     while not talk.ended:
         try:
@@ -73,12 +106,12 @@ def _at_the_keyboard(talk: Talk, out: TextIO) -> int:
             _print(out, ["Note: type quit, or press Ctrl-D, to leave."])
         except EOFError:
             with suppress(MisfitError):
-                _print(out, talk.say(Quit(), "", "key"))
+                _print(out, talk.hear("quit", "key"))
             break
     return DONE
 
 
-def _prompt(talk: Talk, out: TextIO) -> Callable[[str], str]:
+def _prompt(talk: Conversation, out: TextIO) -> Callable[[str], str]:
     """A line editor with a history; Tab lists completions below the line, as in a shell."""
     from prompt_toolkit import PromptSession
     from prompt_toolkit.completion import Completer, Completion

@@ -16,6 +16,11 @@ def has_terminal() -> bool:
     return sys.stdin.isatty() and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
 
 
+def in_browser() -> bool:
+    """Whether the screen is a page in somebody's browser, as ``verbteach serve`` makes it."""
+    return os.environ.get("TEXTUAL_DRIVER", "").endswith(":WebDriver")
+
+
 @dataclass(frozen=True)
 class Terminal:
     """What is known of the terminal; ``columns`` and ``lines`` are 0 where there is none."""

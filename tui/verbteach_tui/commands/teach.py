@@ -26,7 +26,7 @@ from verbteach_tui.commands.streams import columns, counting, emit, note, progre
 from verbteach_tui.conclusion import DONE, INTERRUPTED, WRONG_USE, WrongUseError
 from verbteach_tui.near import known
 from verbteach_tui.options import OpenHome, Opening, OpenNew, OpenSession
-from verbteach_tui.terminal import has_terminal
+from verbteach_tui.terminal import has_terminal, in_browser
 
 if TYPE_CHECKING:
     from verbteach_sessions.session import Session
@@ -79,6 +79,10 @@ def teach(
     participant: Annotated[
         str | None, typer.Option(metavar="CODE", help="The participant's code, for the record.")
     ] = None,
+    study: Annotated[
+        Path | None,
+        typer.Option("--study", metavar="FILE", help="Take part in this study, as its file says."),
+    ] = None,
     seed: SeedOption = None,
     sessions: SessionsFolder = None,
     resume: Annotated[
@@ -109,6 +113,22 @@ def teach(
             "--seed": seed,
         },
     )
+    if study is not None:
+        _refuse_in_study(
+            {
+                "--scene": scene,
+                "--noise": noise,
+                "--noise-reading": noise_reading,
+                "--policy": policy,
+                "--weights": weights,
+                "--freeze": freeze or None,
+                "--second-opinion": second_opinion,
+                "--from": source,
+                "--seed": seed,
+                "--resume": resume,
+                "--teacher": None if teacher == HUMAN else teacher,
+            }
+        )
     if lessons is not None and teacher != SIMULATED:
         raise WrongUseError("--lessons is for --teacher simulated")
     from verbteach_sessions.catalogue import default_folder
@@ -138,11 +158,16 @@ def teach(
         "app": lambda: _on_screen(beginning, scene, resume, theme),
         "simulated": lambda: _simulated(beginning, scene, resume, lessons or LESSONS),
         "script": lambda: _scripted(beginning, teacher, scene, resume, ignore if as_json else tell),
+        "browser": lambda: _on_screen(beginning, scene, resume, theme),
         "plain": lambda: _plain(beginning, scene, resume, out),
     }
+    if study is not None:
+        from verbteach_tui.study.taking_part import ways as ways_in_study
+
+        ways = ways_in_study(beginning, study, theme, out)
     same = f" --teacher {SIMULATED} --lessons {lessons or LESSONS}" if teacher == SIMULATED else ""
     status = _interruptible(beginning, ways[beginning.interface], same)
-    if status != WRONG_USE or not as_json:
+    if (as_json and status != WRONG_USE) or not (as_json or study or in_browser()):
         _conclude(beginning, as_json)
     if status != DONE:
         raise typer.Exit(status)
@@ -154,11 +179,19 @@ def _refuse_together(resume: Path | None, given: dict[str, object]) -> None:
             raise WrongUseError(f"--resume goes on with what the session began with: no {option}")
 
 
+def _refuse_in_study(given: dict[str, object]) -> None:
+    for option, value in given.items():
+        if value is not None:
+            raise WrongUseError(f"--study: the study's file says that, so no {option}")
+
+
 def _interface(teacher: str, plain: bool) -> str:
     if teacher == SIMULATED:
         return "simulated"
     if teacher != HUMAN:
         return "script"
+    if in_browser():
+        return "browser"
     return "plain" if plain or not has_terminal() else "app"
 
 

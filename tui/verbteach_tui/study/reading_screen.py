@@ -1,0 +1,97 @@
+"""A text to read and a choice to make: consent, instructions, what comes next, the thanks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import ClassVar, NamedTuple
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Center, Horizontal, Vertical
+from textual.message import Message
+from textual.screen import Screen
+from textual.widgets import Button
+
+from verbteach_tui.views.rows import Row, Span, wrapped
+from verbteach_tui.views.visible import visible
+from verbteach_tui.widgets.foot import Foot
+from verbteach_tui.widgets.rows_view import RowsView
+from verbteach_tui.widgets.title_bar import TitleBar
+
+
+class Choice(NamedTuple):
+    """A button: the word it stands for, its key, what it says."""
+
+    word: str
+    key: str
+    label: str
+
+
+GO_ON = Choice("next", "enter", "Go on")
+
+
+class ReadingScreen(Screen[None]):
+    """Paragraphs in the middle of the screen, buttons below them; each has a key."""
+
+    HELP = "Read the text; the arrow keys scroll it. Then choose with a key or a button."
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("tab", "app.focus_next", "Next", show=False),
+    ]
+
+    class Chosen(Message):
+        """The participant chose."""
+
+        def __init__(self, word: str) -> None:
+            super().__init__()
+            self.word = word
+
+    def __init__(
+        self, title: str, heading: str, text: str, choices: Sequence[Choice] = (GO_ON,)
+    ) -> None:
+        super().__init__()
+        self._title, self._heading, self._text = title, heading, text
+        self._choices = tuple(choices)
+        for choice in choices:
+            self._bindings.bind(choice.key, f"choose('{choice.word}')", choice.label)
+
+    def compose(self) -> ComposeResult:
+        """The text and the buttons."""
+        yield TitleBar()
+        with Center(id="page"), Vertical(id="sheet"):
+            yield RowsView(id="text")
+            with Horizontal(id="choices"):
+                for choice in self._choices:
+                    yield Button(choice.label, id=choice.word, compact=True)
+        yield Foot()
+
+    def on_mount(self) -> None:
+        """Show the text; it has the keys, so that it can be scrolled."""
+        self.query_one(TitleBar).show_title(visible(self._title))
+        text = self.query_one("#text", RowsView)
+        text.border_title = visible(self._heading)
+        text.show(self._drawn)
+        text.focus()
+
+    def _drawn(self, width: int) -> list[Row]:
+        rows: list[Row] = []
+        for line in self._text.splitlines():
+            rows += wrapped([Span(visible(line))], width) if line.strip() else [()]
+        return rows
+
+    def on_button_pressed(self, event: Button.Pressed) -> None:
+        """A button."""
+        event.stop()
+        self.action_choose(event.button.id or "")
+
+    def action_choose(self, word: str) -> None:
+        """Say what was chosen, once."""
+        for button in self.query(Button):
+            if button.disabled:
+                return
+            button.disabled = True
+        self.post_message(self.Chosen(word))
+
+    def again(self) -> None:
+        """What was chosen came to nothing; choose anew."""
+        for button in self.query(Button):
+            button.disabled = False
