@@ -22,6 +22,12 @@ OPTIONS: Mapping[str, str] = {
     "sessions show": "--json",
     "sessions validate": "--json",
     "sessions export": "--to --out --force --splits --json",
+    "sessions stats": "--json",
+    "sessions scan": "--names --redact --keep --json",
+    "sessions withdraw": "--sessions --yes --json",
+    "sessions split": "--out --train --validation --test --seed --json",
+    "sessions datasheet": "--out --json",
+    "sessions release": "--datasheet --splits --names --json",
     "evaluate": "--policy --noise --noise-reading --grounding --data --test-data --runs"
     " --criterion --objects --json",
     "benchmark check": "--json",

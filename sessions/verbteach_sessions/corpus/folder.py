@@ -11,6 +11,7 @@ from typing import Any
 from verbteach_sessions.errors import LogError, NotASessionError, StorageError
 from verbteach_sessions.eventlog import LOG_NAME
 from verbteach_sessions.files import open_private, open_regular, write_all
+from verbteach_sessions.study.progress import VISIT_NAME
 
 MAX_LINE = 1024 * 1024
 
@@ -27,6 +28,12 @@ def sessions_at(paths: Iterable[Path]) -> tuple[Path, ...]:
     return tuple(found.values())
 
 
+def corpus_of(session: Path) -> Path:
+    """The folder in which things are kept beside a session: the one it is in, or its study's."""
+    home = session.absolute().parent
+    return home.parent if (home / VISIT_NAME).is_file() else home
+
+
 def _sessions(path: Path) -> list[Path]:
     if path.is_file() and path.name == LOG_NAME:
         return [path.parent]
@@ -34,10 +41,21 @@ def _sessions(path: Path) -> list[Path]:
         return [path]
     if not path.is_dir():
         raise NotASessionError(f"{path}: there is no such session or folder of sessions")
-    inner = sorted(one for one in path.iterdir() if (one / LOG_NAME).is_file())
+    inner = sorted(_below(path))
     if not inner:
         raise NotASessionError(f"{path}: holds no session")
     return inner
+
+
+def _below(folder: Path) -> Iterator[Path]:
+    """Sessions in the folder and in the participants' folders of a study; links are passed over."""
+    for one in folder.iterdir():
+        if one.is_symlink() or not one.is_dir() or one.name.startswith("."):
+            continue
+        if (one / LOG_NAME).is_file():
+            yield one
+        else:
+            yield from (two for two in one.iterdir() if (two / LOG_NAME).is_file())
 
 
 def append_lines(path: Path, values: Iterable[Mapping[str, Any]]) -> None:

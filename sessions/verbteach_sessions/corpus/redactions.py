@@ -8,6 +8,7 @@ way out, wherever it stands, the robot's repeating it included.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -50,6 +51,11 @@ class Redactions:
         """What was decided about a text."""
         decision = self._chosen.get((session, text.casefold()))
         return None if decision is None else decision.choice
+
+    def choices(self, session: str) -> Counter[str]:
+        """How many texts of a session are to be redacted, and how many kept."""
+        own = (one for one in self._chosen.values() if one.session == session)
+        return Counter(one.choice for one in own)
 
     def decide(self, decisions: Iterable[Decision]) -> None:
         """Write decisions to the log; they hold from now on. Raises ``StorageError``."""
@@ -108,10 +114,10 @@ def _loosely(decision: Decision) -> str:
 
 
 def _decision(path: Path, number: int, line: Mapping[str, Any]) -> Decision:
-    texts = [str(line.get(name) or "") for name in ("session", "kind", "text")]
+    session, kind, text = (str(line.get(name) or "") for name in ("session", "kind", "text"))
     choice = line.get("choice")
-    if not all(text.strip() for text in texts):
+    if not (session.strip() and kind.strip() and text.strip()):
         raise LogError(path, number, "needs the texts 'session', 'kind' and 'text'")
     if choice not in ("redact", "keep"):
         raise LogError(path, number, "'choice' is neither 'redact' nor 'keep'")
-    return Decision(*texts, choice=choice)
+    return Decision(session, kind, text, choice)

@@ -236,6 +236,12 @@ SESSIONS = Table(
             "the study's condition, as JSON text",
             lambda d: None if d.study is None else json_text(d.study),
         ),
+        Column(
+            "questionnaires",
+            TEXT,
+            "what the person answered about it, by questionnaire, as JSON text",
+            lambda d: json_text(d.questionnaires),
+        ),
         Column("source", Maybe(TEXT), "alias of the session it goes on from", lambda d: d.source),
         Column("content_hash", TEXT, "of the whole record", lambda d: d.content_hash),
         Column("ended", FLAG, "whether it was left in good order", lambda d: d.ended),

@@ -32,6 +32,8 @@ _SLOTS: Mapping[str, str] = {
     "hypothesis": "a goal hypothesis",
     "outcome": "how an episode ended",
     "clause": "a clause of the command",
+    "steps": "an action of a demonstration",
+    "frame": "a verb frame",
     "step": "the step after which an execution stops",
 }
 _CATEGORICAL: Mapping[str, tuple[str, ...]] = {"phase": tuple(phase.value for phase in Phase)}

@@ -7,7 +7,7 @@ day, and the session's name stands in for by an alias that does not tell it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from verbteach.dialogue.acts import QUESTIONS
@@ -85,6 +85,7 @@ class Dialogue:
     """A session. ``id`` is its alias, ``source`` that of the session it goes on from.
 
     ``prices`` are what questions cost, answered with yes and otherwise.
+    ``questionnaires`` hold the answers given last, by name and question.
     ``seconds`` is how long it took in session time. ``split`` is the part of a
     corpus that it was put into.
     """
@@ -108,6 +109,7 @@ class Dialogue:
     verbs_learned: tuple[str, ...]
     prices: Mapping[str, Price]
     turns: tuple[Turn, ...]
+    questionnaires: Mapping[str, Mapping[str, Any]] = field(default_factory=dict)
     split: str = "train"
     warnings: tuple[str, ...] = ()
 

@@ -10,6 +10,7 @@ from typing import Any
 
 from verbteach import __version__
 from verbteach.dialogue.setting import Settings
+from verbteach_sessions.corpus.folder import corpus_of
 from verbteach_sessions.corpus.redactions import Redactions
 from verbteach_sessions.corpus.register import register
 from verbteach_sessions.exports.dialogue import Dialogue
@@ -134,8 +135,10 @@ class _Reading:
             register(folder, self._request.to, self._request.out, self._people[folder])
 
     def _read(self, path: Path) -> Dialogue:
-        folder = path.absolute().parent
-        redactions = self._redactions.setdefault(folder, Redactions.of(folder))
+        folder = corpus_of(path)
+        if folder not in self._redactions:
+            self._redactions[folder] = Redactions.of(folder)
+        redactions = self._redactions[folder]
         redactor = redactions.redactor(path.name)
         dialogue = read_dialogue(path, redactor)
         if dialogue.id in self._names:

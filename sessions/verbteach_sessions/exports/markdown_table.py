@@ -18,7 +18,12 @@ from verbteach_sessions.visible import visible
 
 # Whatever Markdown or HTML could take for a sign of its own within a line, bare links included.
 _SIGNS = re.compile(r"[\\`*_\[\]#|~<>&@{}$]|:(?=//)|(?<=www)\.", re.IGNORECASE)
-_DEEDS = frozenset({"do", "object", "done", "strike", "keep", "stop", "scene", "show", "skip"})
+_DEEDS = frozenset(
+    {
+        *("do", "done", "insert", "remove", "move", "object", "strike", "keep"),
+        *("rule_out", "confirm", "stop", "scene", "show", "skip"),
+    }
+)
 _LEARNING = frozenset({"demonstration", "learning", "read_back"})
 
 

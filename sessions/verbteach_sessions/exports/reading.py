@@ -57,6 +57,7 @@ def read_dialogue(path: Path, redact: Redact = nothing) -> Dialogue:
         dialogue,
         content_hash=content.hexdigest,
         ended=history.ended,
+        questionnaires=turns.questionnaires,
         seconds=last,
         turns=tuple(turns.finished(standing)),
         warnings=reader.warnings,
@@ -109,6 +110,7 @@ class _Turns:
         self._turns: list[tuple[Turn, int]] = []  # with the robot event that it stands or falls by
         self._screens: dict[int, Turn] = {}  # the robot's turns by their events
         self._commands = 0
+        self.questionnaires: dict[str, Mapping[str, Any]] = {}
 
     def take(self, event: Event, current: Node | None) -> None:
         """Add an event that the history has just taken; ``current`` is the turn that now holds."""
@@ -116,6 +118,9 @@ class _Turns:
             self._take_reply(event, current)
         elif event.type in _BESIDE:
             self._take_beside(event)
+        elif event.type == kinds.QUESTIONNAIRE:
+            data = self._redact(event.data)
+            self.questionnaires[data["name"]] = data["answers"]
 
     def finished(self, standing: set[int]) -> Iterator[Turn]:
         """The turns in order, each told whether it still holds."""

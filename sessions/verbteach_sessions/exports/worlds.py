@@ -43,18 +43,27 @@ class _Follower:
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
         self._scenes: dict[str, tuple[Scene, Task] | None] = {}
+        self._shown_from = ""  # the world in which the teacher began to demonstrate
         self.worlds: dict[str, tuple[Scene, State]] = {}
 
     def reach(self, turn: Turn, act: Turn | None, screen: Turn | None) -> None:
         """Add the world after a turn of the robot, where what was done leads to it."""
+        if "request_demonstration" in turn.act_names:
+            self._shown_from = turn.world
         place = self._enter(turn.scene)
         if place is None or turn.world in self.worlds:
             return
         scene, task = place
-        for begin, actions in _deeds(turn, act, screen):
+        for begin, actions in (*_deeds(turn, act, screen), *self._edited(turn)):
             if begin in self.worlds and self.worlds[begin][0] is scene:
                 for state in run(task, self.worlds[begin][1], actions):
                     self.worlds.setdefault(world_digest(state), (scene, state))
+
+    def _edited(self, turn: Turn) -> Iterator[tuple[str, list[Action]]]:
+        """A demonstration whose steps were changed is done again from where it began."""
+        for act in turn.acts:
+            if act.get("act") == "revise_steps" and isinstance(act.get("steps"), list):
+                yield self._shown_from, _actions(act["steps"])
 
     def _enter(self, scene_id: str) -> tuple[Scene, Task] | None:
         """The scene, its first world known from then on; ``None`` where there is no such scene."""

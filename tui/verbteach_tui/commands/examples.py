@@ -36,6 +36,28 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "verbteach sessions export my-sessions --to jsonl --out dataset --splits splits.json",
         "verbteach sessions export my-sessions/20260101-120000-abcdefgh --to asciicast --out casts",
     ),
+    "verbteach sessions stats": (
+        "verbteach sessions stats my-sessions",
+        "verbteach sessions stats my-sessions --json",
+    ),
+    "verbteach sessions scan": (
+        "verbteach sessions scan my-sessions",
+        "verbteach sessions scan my-sessions --names names.txt --redact",
+        'verbteach sessions scan my-sessions --keep "Anna Blume"',
+    ),
+    "verbteach sessions withdraw": (
+        "verbteach sessions withdraw k7m2xq9fhd --sessions my-sessions",
+        "verbteach sessions withdraw k7m2xq9fhd --sessions my-sessions --yes --json",
+    ),
+    "verbteach sessions split": (
+        "verbteach sessions split my-sessions --seed 1 --out splits.json",
+        "verbteach sessions split my-sessions --train 0.6 --validation 0.2 --test 0.2 --json",
+    ),
+    "verbteach sessions datasheet": ("verbteach sessions datasheet my-sessions",),
+    "verbteach sessions release": (
+        "verbteach sessions release my-sessions",
+        "verbteach sessions release my-sessions --splits splits.json --names names.txt --json",
+    ),
     "verbteach benchmark": ("verbteach benchmark check tell-me-dave",),
     "verbteach benchmark check": (
         "verbteach benchmark check tell-me-dave",

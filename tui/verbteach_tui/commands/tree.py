@@ -18,7 +18,10 @@ from verbteach_tui.commands import (
     replay,
     scenes,
     sessions,
+    sessions_branch,
+    sessions_corpus,
     sessions_export,
+    sessions_people,
     teach,
 )
 from verbteach_tui.commands.examples import epilog
@@ -43,7 +46,14 @@ GROUPS: Mapping[str, tuple[str, Mapping[str, Command]]] = {
             "list": sessions.list_sessions,
             "show": sessions.show_session,
             "validate": sessions.validate,
+            "branch": sessions_branch.branch,
             "export": sessions_export.export,
+            "stats": sessions_corpus.stats,
+            "scan": sessions_people.scan,
+            "withdraw": sessions_people.withdraw,
+            "split": sessions_corpus.split,
+            "datasheet": sessions_corpus.make_datasheet,
+            "release": sessions_corpus.release,
         },
     ),
     "scenes": (
