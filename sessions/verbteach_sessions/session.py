@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import shutil
 import time
-from collections.abc import Callable, Mapping
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from types import TracebackType
 from typing import Any
 
-from verbteach.dialogue.acts import TeacherAct
+from verbteach.dialogue.acts import QUESTIONS, AskAgain, TeacherAct
 from verbteach.dialogue.codec import teacher_act_to_json
 from verbteach.dialogue.robot import Robot
 from verbteach.dialogue.setting import Settings
@@ -248,6 +249,15 @@ def _too_far(there_are: int, what: str) -> str:
     return f"there {'is' if there_are == 1 else 'are'} only {there_are} to {what}"
 
 
+def _by_type(turns: Sequence[Node]) -> dict[str, int]:
+    """How often each type of question was asked in turns that hold; one put again counts once."""
+    names = {kind.name for kind in QUESTIONS}
+    asked = Counter(
+        turn.acts[-1] for turn in turns if turn.acts[-1] in names and AskAgain.name not in turn.acts
+    )
+    return dict(sorted(asked.items()))
+
+
 def summary(session: Session) -> dict[str, Any]:
     """What ``teach --json`` prints; counts are of the turns that hold."""
     state = session.robot.state
@@ -257,6 +267,7 @@ def summary(session: Session) -> dict[str, Any]:
         "episodes": totals.episodes,
         "successes": totals.successes,
         "questions": totals.questions,
+        "questions_by_type": _by_type(session.turns()),
         "verbs_learned": list(state.knowledge.verbs),
         "reward": totals.reward,
         "content_hash": session.content_hash,

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from verbteach.dialogue.lesson import Lesson
 from verbteach.dialogue.setting import Settings
-from verbteach.dialogue.simulated import SimulatedTeacher, seeded_order
+from verbteach.dialogue.simulated import SimulatedTeacher, TeacherHabits, seeded_order
 from verbteach_sessions.driving import ScriptTeacher, drive
 from verbteach_sessions.errors import ScriptError
 from verbteach_sessions.session import Session
@@ -78,6 +78,7 @@ def simulate(
     count: int,
     settings: Settings,
     given: Callable[[int], None],
+    habits: TeacherHabits | None = None,
 ) -> None:
     """Let the simulated teacher give ``count`` lessons, in an order that the session's seed sets.
 
@@ -86,5 +87,5 @@ def simulate(
     """
     seed = session.header.method.parameters.seed
     begun = sum(line.speaker == TEACHER and line.kind == "command" for line in session.transcript())
-    teacher = SimulatedTeacher(seeded_order(lessons, count, seed), settings, begun)
+    teacher = SimulatedTeacher(seeded_order(lessons, count, seed), settings, begun, habits)
     drive(session, teacher, lambda now: given(teacher.given))

@@ -118,7 +118,6 @@ def _contradicts(draft: Draft, question: RobotAct, answer: Answer) -> bool:
         draft.update(asked=withdrawn(draft.episode, found.earlier))
         return False
     draft.update(asked=(*draft.episode.asked, Exchange(question, CONTRADICTORY)))
-    draft.count(questions=1)
     draft.say(AskAgain(f"Before, you said that {found.said}. Both cannot be, so once more:"))
     draft.wait(question, draft.episode.phase)
     return True

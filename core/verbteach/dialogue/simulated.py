@@ -1,8 +1,13 @@
-"""A simulated teacher: it gives bundled lessons' commands and answers from their gold."""
+"""A simulated teacher: it gives bundled lessons' commands and answers from their gold.
+
+How often it errs, does not know or has had enough are settable; its draws
+depend on its seed, the lesson and the question, on nothing else.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from itertools import islice
 
 import numpy as np
@@ -30,17 +35,45 @@ def _rounds(lessons: Sequence[Lesson], seed: int) -> Iterator[Lesson]:
         number += 1
 
 
-class SimulatedTeacher:
-    """Teaches ``lessons`` one after the other and never errs; implements ``Teacher``.
+@dataclass(frozen=True)
+class TeacherHabits:
+    """How good a simulated teacher is at answering questions; by default it is perfect.
 
-    ``given`` counts those whose command has been said; a teacher who comes back
-    to a session is told how many.
+    ``wrong`` is the probability that a yes/no answer is the opposite of the
+    right one, ``unsure`` that any answer is "I don't know". After ``patience``
+    questions about one command every answer is "I don't know".
     """
 
-    def __init__(self, lessons: Sequence[Lesson], settings: Settings, given: int = 0) -> None:
+    wrong: float = 0.0
+    unsure: float = 0.0
+    patience: int | None = None
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        for name, rate in (("wrong", self.wrong), ("unsure", self.unsure)):
+            if not 0.0 <= rate <= 1.0:
+                raise ValueError(f"{name}: a rate is between 0 and 1, not {rate}")
+
+
+class SimulatedTeacher:
+    """Teaches ``lessons`` one after the other; implements ``Teacher``.
+
+    ``given`` counts those whose command has been said; a teacher who comes back
+    to a session is told how many. ``habits`` are for answers to questions:
+    demonstrations and judgements are always right.
+    """
+
+    def __init__(
+        self,
+        lessons: Sequence[Lesson],
+        settings: Settings,
+        given: int = 0,
+        habits: TeacherHabits | None = None,
+    ) -> None:
         self._lessons = tuple(lessons)
         self._settings = settings
         self.given = given
+        self._habits = habits or TeacherHabits()
 
     def reply(self, turn: RobotTurn, state: RobotState) -> TeacherAct | None:
         """Answer from the current lesson, or give the next one's command."""
@@ -73,11 +106,19 @@ class SimulatedTeacher:
         return acts.Command(lesson.command)
 
     def _answer(self, question: acts.RobotAct, state: RobotState) -> TeacherAct:
+        asked = len(state.episode.asked) if state.episode else 0
+        draws = np.random.default_rng([self._habits.seed, self.given, asked, 0x7EAC])
+        unsure, wrong = draws.random(2).tolist()
+        patience = self._habits.patience
+        if unsure < self._habits.unsure or (patience is not None and asked >= patience):
+            return acts.Unsure()
         if isinstance(question, acts.NpGrdWhq):
             gold = self._gold(question.np)
             return acts.Point(gold[0]) if gold else acts.Unsure()
         truth = self._truth(question, state)
-        return acts.Unsure() if truth is None else acts.Yes() if truth else acts.No()
+        if truth is None:
+            return acts.Unsure()
+        return acts.Yes() if truth != (wrong < self._habits.wrong) else acts.No()
 
     def _truth(self, question: acts.RobotAct, state: RobotState) -> bool | None:
         """The right answer to a yes/no question; None where the lesson does not say."""

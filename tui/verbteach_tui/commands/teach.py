@@ -39,6 +39,7 @@ NO_SESSION: Mapping[str, Any] = {
     "episodes": 0,
     "successes": 0,
     "questions": 0,
+    "questions_by_type": {},
     "verbs_learned": [],
     "reward": 0.0,
 }
@@ -57,6 +58,24 @@ def teach(
         int | None,
         typer.Option(min=1, metavar="N", help=f"How many the simulated teacher gives ({LESSONS})."),
     ] = None,
+    wrong: Annotated[
+        float | None,
+        typer.Option(
+            "--wrong-answers",
+            min=0,
+            max=1,
+            metavar="P",
+            help="How often its answers are wrong (0).",
+        ),
+    ] = None,
+    unsure: Annotated[
+        float | None,
+        typer.Option("--dont-know", min=0, max=1, metavar="P", help="How often it can't say (0)."),
+    ] = None,
+    patience: Annotated[
+        int | None,
+        typer.Option(min=0, metavar="N", help="Questions a command after which it can't say."),
+    ] = None,
     plain: Annotated[bool, typer.Option("--plain", help="Lines instead of a full screen.")] = False,
     noise: NoiseOption = None,
     noise_reading: NoiseReading = None,
@@ -74,7 +93,9 @@ def teach(
     ] = None,
     source: Annotated[
         Path | None,
-        typer.Option("--from", metavar="SESSION", help="Start with this session's verbs and weights."),
+        typer.Option(
+            "--from", metavar="SESSION", help="Start with this session's verbs and weights."
+        ),
     ] = None,
     participant: Annotated[
         str | None, typer.Option(metavar="CODE", help="The participant's code, for the record.")
@@ -129,8 +150,8 @@ def teach(
                 "--teacher": None if teacher == HUMAN else teacher,
             }
         )
-    if lessons is not None and teacher != SIMULATED:
-        raise WrongUseError("--lessons is for --teacher simulated")
+    rates = {"--wrong-answers": wrong, "--dont-know": unsure, "--patience": patience}
+    _only_simulated(teacher, {"--lessons": lessons, **rates})
     from verbteach_sessions.catalogue import default_folder
 
     default = Choices()
@@ -156,7 +177,9 @@ def teach(
     out = sys.stderr if as_json else sys.stdout
     ways: Mapping[str, Callable[[], int]] = {
         "app": lambda: _on_screen(beginning, scene, resume, theme),
-        "simulated": lambda: _simulated(beginning, scene, resume, lessons or LESSONS),
+        "simulated": lambda: _simulated(
+            beginning, scene, resume, lessons or LESSONS, (wrong or 0.0, unsure or 0.0, patience)
+        ),
         "script": lambda: _scripted(beginning, teacher, scene, resume, ignore if as_json else tell),
         "browser": lambda: _on_screen(beginning, scene, resume, theme),
         "plain": lambda: _plain(beginning, scene, resume, out),
@@ -165,7 +188,9 @@ def teach(
         from verbteach_tui.study.taking_part import ways as ways_in_study
 
         ways = ways_in_study(beginning, study, theme, out)
-    same = f" --teacher {SIMULATED} --lessons {lessons or LESSONS}" if teacher == SIMULATED else ""
+    again = "".join(f" {name} {rate}" for name, rate in rates.items() if rate is not None)
+    count = f" --teacher {SIMULATED} --lessons {lessons or LESSONS}"
+    same = f"{count}{again}" if teacher == SIMULATED else ""
     status = _interruptible(beginning, ways[beginning.interface], same)
     if (as_json and status != WRONG_USE) or not (as_json or study or in_browser()):
         _conclude(beginning, as_json)
@@ -183,6 +208,12 @@ def _refuse_in_study(given: dict[str, object]) -> None:
     for option, value in given.items():
         if value is not None:
             raise WrongUseError(f"--study: the study's file says that, so no {option}")
+
+
+def _only_simulated(teacher: str, given: Mapping[str, object]) -> None:
+    for option, value in given.items():
+        if value is not None and teacher != SIMULATED:
+            raise WrongUseError(f"{option} is for --teacher {SIMULATED}")
 
 
 def _interface(teacher: str, plain: bool) -> str:
@@ -236,7 +267,14 @@ def _scripted(
         return DONE
 
 
-def _simulated(beginning: Beginning, scene: str | None, resume: Path | None, count: int) -> int:
+def _simulated(
+    beginning: Beginning,
+    scene: str | None,
+    resume: Path | None,
+    count: int,
+    rates: tuple[float, float, int | None],
+) -> int:
+    from verbteach.dialogue.simulated import TeacherHabits
     from verbteach.world import compiled
     from verbteach_scenarios.lessons import load_lessons
     from verbteach_tui.headless import simulate
@@ -250,7 +288,8 @@ def _simulated(beginning: Beginning, scene: str | None, resume: Path | None, cou
             compiled.warm_up()
             show("planner", 1, 1)
         given = counting(show, "lessons", count)
-        simulate(session, lessons, count, beginning.setting, given)
+        habits = TeacherHabits(*rates, seed=session.header.method.parameters.seed)
+        simulate(session, lessons, count, beginning.setting, given, habits)
         return DONE
 
 
@@ -295,4 +334,6 @@ def _conclude(beginning: Beginning, as_json: bool) -> None:
 
 
 def _shown(value: object) -> object:
+    if isinstance(value, dict):
+        return ", ".join(f"{count} {name}" for name, count in value.items()) or "none"
     return ", ".join(value) if isinstance(value, list) else value
