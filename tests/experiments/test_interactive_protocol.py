@@ -6,6 +6,8 @@ import pytest
 
 from tests.experiments.interactive_room import bench
 from verbteach.dialogue import execution_inquiry, learning_inquiry
+from verbteach.experiments.instance_split import InstanceSplit
+from verbteach.experiments.interactive import MOST
 from verbteach.experiments.interactive_bench import BenchParameters
 from verbteach.experiments.interactive_protocol import Config, Result, run
 from verbteach.experiments.interactive_training import TrainingParameters
@@ -53,6 +55,50 @@ def test_an_environment_held_out_teaches_nothing() -> None:
         alone = result(policy=policy, held_out=("room-2",))
         own = {i.id for i in bench().instances if i.environment == "room-2"}
         assert tuple(t for t in whole.tested if t.instance in own) == alone.tested
+
+
+def test_environments_held_out_together_teach_nothing() -> None:
+    """The same whether or not they had anything to teach: all else is drawn without them."""
+    away = ("room-1", "room-4")
+    for policy in ("split", "rl"):
+        changes = {"policy": policy, "held_out": away, "together": True, "noise": "std3"}
+        found = result(**changes)
+        assert [t.instance for t in found.tested] == [
+            i.id for i in bench().instances if i.environment in away
+        ]
+        split = InstanceSplit.of(bench().instances, replace(CONFIG, **changes))  # type: ignore[arg-type]
+        learned = [*split.practice, *split.lessons()]
+        assert len(learned) == len({i.id for i in learned}) == len(split.instances)
+        assert not {i.environment for i in learned} & set(away)
+        assert found.taught.dialogues == len(split.lessons())
+    with pytest.raises(ValueError, match="none is named"):
+        result(together=True)
+
+
+def test_checkpoints_know_a_growing_part_of_the_verbs() -> None:
+    config = {"policy": "split", "held_out": ("room-1", "room-4"), "together": True}
+    found = result(**config, checkpoints=(0.2, 1.0))
+    few, all_of_them = found.checkpoints
+    assert few.lessons < all_of_them.lessons == found.taught.dialogues
+    assert all_of_them.tested == found.tested
+    alone = result(**config, verb_share=0.2)
+    assert few.tested == alone.tested
+    assert alone.taught.dialogues == few.lessons
+
+
+@pytest.mark.parametrize("policy", ["rl", "split", "manual", "random"])
+def test_a_trace_scores_the_command_after_every_question(policy: str) -> None:
+    plain = result(policy=policy, noise="std3")
+    traced = result(policy=policy, noise="std3", trace=True)
+    assert [replace(t, trace=()) for t in traced.tested] == list(plain.tested)
+    for one in traced.tested:
+        asked = sum(one.questions.values())
+        assert 1 <= len(one.trace) <= MOST + 1
+        if policy != "random":  # which asks others when it does not stop
+            assert one.trace[min(asked, MOST)] == (one.ied, one.sji) or asked > MOST
+        if policy == "manual":  # it ends where it has nothing left to ask
+            assert len(one.trace) == min(asked, MOST) + 1
+    assert plain.taught == traced.taught
 
 
 def test_rl_learns_named_weights_for_both_phases() -> None:

@@ -6,7 +6,7 @@ The same loop serves both phases; the phase's inquiry says what can be asked.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Generic, Protocol, Self, TypeVar
 
@@ -21,6 +21,9 @@ from verbteach.experiments.metrics import ied
 from verbteach.experiments.simulated_human import SimulatedHuman
 from verbteach.policy.asking_policy import ENDING, AskingPolicy
 from verbteach.world.plan import Action, Plan
+
+MOST = 8
+"""So many questions are traced at most."""
 
 
 class Inquiry(Protocol):
@@ -120,3 +123,27 @@ def carry_out(
         if isinstance(answer, Plan) and answer.actions:
             return Carried(answer.actions, ied(gold, answer.actions), human.score(answer.actions))
     return Carried((), ied(gold, ()), human.score(()))
+
+
+def asked_on(
+    state: Phase,
+    inquiry: Callable[[Phase], ExecutionInquiry],
+    policy: AskingPolicy,
+    human: SimulatedHuman,
+    gold: Sequence[Action],
+    rng: np.random.Generator,
+    most: int = MOST,
+) -> tuple[Carried, ...]:
+    """How the command would be carried out after no question, after one, and so on.
+
+    ``inquiry`` gives the execution phase that ``state`` stands for. It ends
+    with the policy, or after ``most`` questions.
+    """
+    found = [carry_out(inquiry(state), human, gold)]
+    while len(found) <= most:
+        act = policy.choose(None, state.candidates(), rng).act
+        if isinstance(act, ENDING):
+            break
+        state = state.after(act, human.reply(act, len(found) - 1, rng))
+        found.append(carry_out(inquiry(state), human, gold))
+    return tuple(found)

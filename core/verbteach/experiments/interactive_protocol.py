@@ -11,7 +11,7 @@ policy meets the same noise.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
@@ -20,12 +20,20 @@ import numpy as np
 from verbteach.dialogue.acts import IncludeFluent
 from verbteach.dialogue.execution_inquiry import ExecutionInquiry
 from verbteach.dialogue.learning_inquiry import LearningInquiry
-from verbteach.experiments.interactive import Dialogue, carry_out, hold
+from verbteach.experiments.instance_split import InstanceSplit
+from verbteach.experiments.interactive import Carried, Dialogue, asked_on, carry_out, hold
 from verbteach.experiments.interactive_bench import Bench
-from verbteach.experiments.interactive_training import Practice, Trained, TrainingParameters, train
+from verbteach.experiments.interactive_training import (
+    Practice,
+    Remembering,
+    Trained,
+    TrainingParameters,
+    train,
+)
 from verbteach.experiments.sight import Sight, stream
 from verbteach.experiments.simulated_human import HumanParameters, SimulatedHuman
 from verbteach.perception.noise import NoiseModel
+from verbteach.policy.asking_on import asking_on
 from verbteach.policy.asking_policy import AskingPolicy
 from verbteach.policy.fixed_rules import ManualPolicy, RandomPolicy, SilentPolicy, SplitPolicy
 from verbteach.policy.linear import LinearPolicy, Weights
@@ -44,7 +52,12 @@ class Config:
     ``policy_share`` of the training instances teach the policy, and
     ``verb_share`` of the rest the verbs. ``held_out`` are the environments to
     test in (all where empty); ``groups`` how many groups of environments the
-    weights are trained for. ``keep_wrong`` keeps goals that the human rejected.
+    weights are trained for. ``together``: the held-out environments are one
+    group, from which nothing is learned at all; otherwise each is tested with
+    the verbs of all others. ``checkpoints``: the tests are also made with these
+    shares of the lessons that teach verbs. ``trace`` scores each test command
+    after every question, asked on beyond the policy's own end. ``keep_wrong``
+    keeps goals that the human rejected.
     """
 
     policy: str = "rl"
@@ -57,9 +70,16 @@ class Config:
     verb_share: float = 1.0
     groups: int = 4
     held_out: tuple[str, ...] = ()
+    together: bool = False
+    checkpoints: tuple[float, ...] = ()
+    trace: bool = False
     keep_wrong: bool = False
     human: HumanParameters = field(default_factory=HumanParameters)
     training: TrainingParameters = field(default_factory=TrainingParameters)
+
+    def __post_init__(self) -> None:
+        if self.together and not self.held_out:
+            raise ValueError("environments are held out together, and none is named")
 
     def to_json(self) -> dict[str, Any]:
         """Plain JSON: what the row of a sweep is keyed by."""
@@ -68,7 +88,10 @@ class Config:
 
 @dataclass(frozen=True)
 class Tested:
-    """How one test command went; ``questions`` counts acts by name."""
+    """How one test command went; ``questions`` counts acts by name.
+
+    ``trace`` has (IED, SJI) after no question, one, two and so on, where asked for.
+    """
 
     instance: str
     group: str
@@ -78,6 +101,7 @@ class Tested:
     expected: float
     certainty: float
     questions: Mapping[str, int]
+    trace: tuple[tuple[float, float], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -90,12 +114,21 @@ class Taught:
 
 
 @dataclass(frozen=True)
+class Checkpoint:
+    """The test commands carried out with the verbs of the first ``lessons`` only."""
+
+    lessons: int
+    tested: tuple[Tested, ...]
+
+
+@dataclass(frozen=True)
 class Result:
     """One run: every test command, in the instances' order, and the learning before."""
 
     tested: tuple[Tested, ...]
     taught: Taught
     weights: Mapping[str, Mapping[str, float]]
+    checkpoints: tuple[Checkpoint, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -149,14 +182,16 @@ class _Run:
         noise = NoiseModel.named(config.noise, config.reading)
         self.sight = Sight.of(noise, bench.instances, config.seed, config.run)
         self.environments = sorted({i.environment for i in bench.instances})
-        self.quarter, self.lessons = self._parts()
+        self.split = InstanceSplit.of(bench.instances, config)
+        self.quarter = self.split.practice
+        self.lessons = self.split.lessons(config.verb_share)
         self.taught: list[Taught] = []
         self.weights: dict[str, Mapping[str, float]] = {}
+        self.checkpoints: dict[int, list[Tested]] = {}
 
     def result(self) -> Result:
         """Every group of held-out environments in turn."""
-        tested = [row for group in self._groups() for row in self._group(group)]
-        tested.sort(key=lambda row: row.instance)
+        tested = _sorted(row for group in self._groups() for row in self._group(group))
         questions: Counter[str] = Counter()
         for one in self.taught:
             questions.update(one.questions)
@@ -165,7 +200,8 @@ class _Run:
             sum(one.right for one in self.taught),
             dict(sorted(questions.items())),
         )
-        return Result(tuple(tested), taught, self.weights)
+        checkpoints = (Checkpoint(n, _sorted(rows)) for n, rows in self.checkpoints.items())
+        return Result(tested, taught, self.weights, tuple(checkpoints))
 
     def demonstrations(self) -> list[Practice[LearningInquiry]]:
         """Every demonstration as a situation to practise on."""
@@ -182,20 +218,13 @@ class _Run:
         """A generator for what the names tell apart, from the configuration's seed and run."""
         return stream(self.config.seed, self.config.run, *names)
 
-    def _parts(self) -> tuple[list[Instance], list[Instance]]:
-        """The instances that teach the policy, and those that teach verbs."""
-        config, instances = self.config, self.bench.instances
-        order = stream(config.seed, config.run, "parts").permutation(len(instances)).tolist()
-        first = round(config.policy_share * len(order))
-        last = first + round(config.verb_share * (len(order) - first))
-        quarter = [instances[i] for i in sorted(order[:first])]
-        return quarter, [instances[i] for i in sorted(order[first:last])]
-
     @property
     def _learns(self) -> bool:
         return self.config.policy == "rl"
 
     def _groups(self) -> list[list[str]]:
+        if self.config.together:
+            return [sorted(self.config.held_out)]
         order = stream(self.config.seed, self.config.run, "groups").permutation(
             len(self.environments)
         )
@@ -216,10 +245,14 @@ class _Run:
         acquired = self._acquire(learning)
         execution = self._execution_policy(practice, group, acquired, name)
         for environment in self._wanted(group):
+            own = [i for i in self.bench.instances if i.environment == environment]
             memory = self._memory(acquired, {environment})
-            for instance in self.bench.instances:
-                if instance.environment == environment:
-                    yield self._test(instance, memory, execution)
+            yield from [self._test(i, memory, execution, self.config.trace) for i in own]
+            for share in self.config.checkpoints:
+                lessons = self.split.lessons(share)
+                memory = self._memory(acquired, {environment}, lessons)
+                tested = [self._test(i, memory, execution, trace=False) for i in own]
+                self.checkpoints.setdefault(len(lessons), []).extend(tested)
 
     def _learning_policy(self, practice: Sequence[Instance], name: str) -> AskingPolicy:
         if not self._learns:
@@ -292,20 +325,31 @@ class _Run:
         shown = Demonstration(instance.id, instance.verb, instance.phrases, state.objects)
         return Example(shown, change, binding)
 
-    def _memory(self, acquired: Mapping[str, Example], without: set[str]) -> Memory:
+    def _memory(
+        self,
+        acquired: Mapping[str, Example],
+        without: set[str],
+        lessons: Sequence[Instance] | None = None,
+    ) -> Memory:
         return Memory.keeping(
             acquired[i.id]
-            for i in self.lessons
+            for i in (self.lessons if lessons is None else lessons)
             if i.id in acquired and i.environment not in without
         )
 
-    def _test(self, instance: Instance, memory: Memory, policy: AskingPolicy) -> Tested:
-        human = self._human(instance)
-        start = self.bench.command(instance, self.sight, memory)
+    def _test(
+        self, instance: Instance, memory: Memory, policy: AskingPolicy, trace: bool
+    ) -> Tested:
+        human, gold = self._human(instance), self.bench.gold(instance)
+        start = Remembering(self.bench.command(instance, self.sight, memory))
         rng = self.draws("test", instance.id)
-        held = hold(start, policy, human, self.config.training.priced, rng)
-        carried = carry_out(held.state, human, self.bench.gold(instance))
-        pool = held.state.pool
+        held = hold(start, policy, human, self.config.training.priced, rng).state.state
+        carried = carry_out(held, human, gold)
+        traced: tuple[Carried, ...] = ()
+        if trace:
+            rng = self.draws("trace", instance.id)
+            traced = asked_on(start, _unwrapped, asking_on(policy), human, gold, rng)
+        pool = held.pool
         return Tested(
             instance.id,
             instance.group,
@@ -314,11 +358,20 @@ class _Run:
             carried.sji >= self.config.human.right_from,
             0.0 if pool.empty else float(pool.decision.values.max()),
             0.0 if pool.empty else pool.certainty,
-            dict(sorted(held.questions.items())),
+            dict(sorted(Counter(act.name for act in held.asked).items())),
+            tuple((one.ied, one.sji) for one in traced),
         )
 
     def _human(self, instance: Instance) -> SimulatedHuman:
         return SimulatedHuman(instance, self.bench.room(instance), self.config.human)
+
+
+def _unwrapped(state: Remembering[ExecutionInquiry]) -> ExecutionInquiry:
+    return state.state
+
+
+def _sorted(tested: Iterable[Tested]) -> tuple[Tested, ...]:
+    return tuple(sorted(tested, key=lambda one: one.instance))
 
 
 def _rule(config: Config) -> AskingPolicy:

@@ -112,7 +112,7 @@ def train(
     learner = LEARNERS[online](size, parameters.gamma)
     log: list[Step] = []
     returns, questions = [], []
-    remembered = [_Remembering(one.start) for one in practice]
+    remembered = [Remembering(one.start) for one in practice]
     for number, index in enumerate(_order(len(practice), parameters.dialogues, rng)):
         policy = _acting(number, learner, space, parameters, rng)
         one = practice[index]
@@ -173,18 +173,20 @@ def _order(size: int, count: int, rng: np.random.Generator) -> Iterator[int]:
 
 
 @dataclass
-class _Remembering(Generic[Phase]):
+class Remembering(Generic[Phase]):
     """A state that remembers where each reply led and how it was judged: it is met many times."""
 
     state: Phase
-    children: dict[tuple[RobotAct, Reply], _Remembering[Phase]] = field(default_factory=dict)
+    children: dict[tuple[RobotAct, Reply], Remembering[Phase]] = field(default_factory=dict)
     right: float | None = None
 
     def candidates(self) -> tuple[Candidate, ...]:
+        """The state's."""
         return self.state.candidates()
 
-    def after(self, act: RobotAct, reply: Reply) -> _Remembering[Phase]:
+    def after(self, act: RobotAct, reply: Reply) -> Remembering[Phase]:
+        """The state after a reply, made once."""
         key = (act, reply)
         if key not in self.children:
-            self.children[key] = _Remembering(self.state.after(act, reply))
+            self.children[key] = Remembering(self.state.after(act, reply))
         return self.children[key]
