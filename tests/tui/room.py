@@ -11,6 +11,7 @@ from textual.widgets import OptionList
 
 from verbteach_scenarios.scenes import load_scene, scene_ids
 from verbteach_scenarios.settings import make_settings
+from verbteach_sessions.driving import ScriptTeacher, drive
 from verbteach_sessions.header import Header
 from verbteach_sessions.session import Session
 from verbteach_tui.app import VerbteachApp
@@ -159,6 +160,13 @@ async def room(
             here.hurry()
         yield here
     app.close_sessions()
+
+
+def said(folder: Path, *lines: str, scene: str = "kitchen-1") -> Path:
+    """A session in which ``lines`` of a script were said; opening it is faster than typing them."""
+    with Session.create(folder, Header.new(scene, interface="app"), SETTINGS) as session:
+        drive(session, ScriptTeacher(lines))
+        return session.path
 
 
 async def learn_to_open(here: Room) -> None:

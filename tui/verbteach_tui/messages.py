@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
     from verbteach.world.fluents import Literal
     from verbteach.world.plan import Action
+    from verbteach_sessions.script import ScriptAct
     from verbteach_tui.snapshot import Snapshot
     from verbteach_tui.teaching import Teaching
 
@@ -53,6 +54,26 @@ class StepChosen(Message):
     def __init__(self, action: Action) -> None:
         super().__init__()
         self.action = action
+
+
+class ActPicked(Message):
+    """The person picked a whole act, by key or mouse."""
+
+    def __init__(self, act: ScriptAct) -> None:
+        super().__init__()
+        self.act = act
+
+
+class StepLooked(Message):
+    """The person looks at the world after so many of the steps shown."""
+
+    def __init__(self, after: int) -> None:
+        super().__init__()
+        self.after = after
+
+
+class InsertionMoved(Message):
+    """The next step of the demonstration comes somewhere else now."""
 
 
 class PartToggled(Message):

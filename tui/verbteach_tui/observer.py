@@ -6,11 +6,13 @@ Used in a worker thread, right after the robot's turn.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
+from itertools import pairwise
 
 from verbteach.dialogue import acts
 from verbteach.dialogue.demonstration import ordered
 from verbteach.dialogue.moves import Phase
+from verbteach.dialogue.obstacles import obstacle
 from verbteach.dialogue.setting import Setting
 from verbteach.dialogue.speech import Speech
 from verbteach.dialogue.state import EpisodeState
@@ -27,6 +29,7 @@ from verbteach_tui.spoken import Sayings
 from verbteach_tui.views.marks import HIDDEN, stem
 from verbteach_tui.views.picture import Depictor
 from verbteach_tui.views.read_back import GoalPart
+from verbteach_tui.views.recorder import Change
 from verbteach_tui.views.steps import StepBook, StepMenu
 from verbteach_tui.views.wording import Wording
 
@@ -50,7 +53,7 @@ class _Place:
 
     @cached_property
     def steps(self) -> StepBook:
-        return StepBook(self.setting.task, self.wording)
+        return StepBook(self.setting.task, self.wording, partial(obstacle, self.setting))
 
     @cached_property
     def words(self) -> Vocabulary:
@@ -114,6 +117,7 @@ class Observer:
             steps=steps,
             failure=failure,
             shown=tuple(wording.action(step) for step in shown),
+            shown_moments=_shown(place.setting, speech, episode),
             change=_change(place.setting, speech, episode, state.world),
             parts=_parts(speech, episode),
             suggested=state.suggested,
@@ -149,7 +153,7 @@ def _moments(
 
 def _moment(setting: Setting, speech: Speech, old: State, new: State) -> Moment:
     change = StateChange.between(old, new, setting.scene.domain.static).literals
-    told = [one for one in ordered(change) if stem(one.fluent.predicate) not in _TRIFLES]
+    told = [one for one in ordered(change) if not _is_trifle(one)]
     news = [speech.words.became(literal) for literal in told[:_NEWS]]
     more = [f"and {len(told) - _NEWS} more"] if len(told) > _NEWS else []
     return Moment(new, old, (*news, *more))
@@ -180,7 +184,7 @@ def _asked(waiting: acts.RobotAct) -> frozenset[str]:
 
 def _problem(turn: RobotTurn) -> str:
     """Why what was tried last in a demonstration came to nothing, if it did."""
-    if isinstance(turn.waiting_act, acts.RefuseStep | acts.AskAgain):
+    if isinstance(turn.waiting_act, acts.RefuseStep | acts.RefuseRevision | acts.AskAgain):
         return turn.texts[-1]
     return ""
 
@@ -193,11 +197,24 @@ def _failure(trace: Trace | None, wording: Wording) -> str:
 
 def _change(
     setting: Setting, speech: Speech, episode: EpisodeState | None, world: State
-) -> tuple[str, ...]:
+) -> tuple[Change, ...]:
     if episode is None or episode.demonstrated is None:
         return ()
     change = StateChange.between(episode.start, world, setting.scene.domain.static).literals
-    return tuple(speech.words.became(literal) for literal in ordered(change))
+    return tuple(Change(speech.words.became(one), _is_trifle(one)) for one in ordered(change))
+
+
+def _is_trifle(literal: Literal) -> bool:
+    return stem(literal.fluent.predicate) in _TRIFLES
+
+
+def _shown(setting: Setting, speech: Speech, episode: EpisodeState | None) -> tuple[Moment, ...]:
+    """The world before the demonstration and after each of its steps."""
+    if episode is None or episode.demonstrated is None:
+        return ()
+    states = episode.demonstrated.states
+    after = (_moment(setting, speech, old, new) for old, new in pairwise(states))
+    return (Moment(states[0]), *after)
 
 
 def _parts(speech: Speech, episode: EpisodeState | None) -> tuple[GoalPart, ...]:

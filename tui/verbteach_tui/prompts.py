@@ -86,10 +86,27 @@ WATCHING = Bar(
 """While an execution is being watched; the words are those of the execution's view."""
 
 
-def bar_of(snapshot: Snapshot, typing: bool, watching: bool = False) -> Bar:
+EDITING = Bar(
+    "Steps",
+    (
+        Key("x", "remove_step", "take away"),
+        Key("e", "earlier", "earlier"),
+        Key("l", "later", "later"),
+        Key("i", "insert_here", "insert before"),
+        Key("space", "run_steps", "run"),
+        Key("d", "done", "done"),
+    ),
+    (Key("X", "remove_rest", "and all after"), Key("u", "undo", "undo")),
+)
+"""While the steps of a demonstration are edited; the words are those of their view."""
+
+
+def bar_of(snapshot: Snapshot, typing: bool, watching: bool = False, editing: bool = False) -> Bar:
     """The keys that do something now."""
     if watching and not typing:
         return WATCHING
+    if editing and snapshot.phase is Phase.DEMONSTRATION:
+        return EDITING
     lead = PROMPTS[snapshot.phase].lead
     if snapshot.suggested:
         return Bar("Is that what you meant?", (SUGGESTED,))

@@ -8,6 +8,7 @@ action to demonstrate, or free text for the robot to make sense of.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
@@ -20,6 +21,9 @@ from verbteach_tui.views.steps import StepMenu
 
 _ALWAYS = frozenset(key.word for key in ANYTIME) | {"quit"}
 _SHORT = frozenset(key.key for key in ANYTIME)
+_PLACED = re.compile(r"insert:?\s*(?P<at>\d{1,4})\s*:?\s+(?P<step>.+)")
+"""As in: insert 2 go to the sink."""
+
 _VERDICTS: Mapping[ScriptAct, ScriptAct] = {acts.Yes(): acts.Good(), acts.No(): acts.Bad()}
 
 
@@ -71,4 +75,8 @@ class Reader:
         if self.phase is not Phase.DEMONSTRATION or self.menu is None:
             return None
         action = self.menu.find(text)
-        return acts.Do(action) if action else None
+        if action:
+            return acts.Do(action)
+        placed = _PLACED.fullmatch(text)
+        action = self.menu.find(placed["step"]) if placed else None
+        return acts.Insert(int(placed["at"]), action) if placed and action else None

@@ -17,14 +17,11 @@ from verbteach_tui.hypotheses import Vocabulary
 from verbteach_tui.reading import Reader
 from verbteach_tui.views.cards import Emphasis
 from verbteach_tui.views.dialogue import DialogueLine
-from verbteach_tui.views.marks import HIDDEN
 from verbteach_tui.views.mind import Mind
 from verbteach_tui.views.picture import Depictor
 from verbteach_tui.views.read_back import GoalPart
+from verbteach_tui.views.recorder import Change
 from verbteach_tui.views.steps import StepMenu
-
-_NEWS = 3
-_TRIFLES = HIDDEN | {"near"}
 
 
 @dataclass(frozen=True)
@@ -64,7 +61,8 @@ class Snapshot:
     ``moments`` are the worlds to show one after the other: one, or those of an
     execution. ``choices`` are the objects that digits pick. ``shown`` are the
     demonstrated steps in words, ``change`` what they have changed, ``parts`` the
-    goal that was read back. ``learned_from`` is what the robot knew before it
+    goal that was read back; ``shown_moments`` are the worlds before and after each
+    of the steps. ``learned_from`` is what the robot knew before it
     learned last.
     """
 
@@ -88,7 +86,8 @@ class Snapshot:
     steps: tuple[str, ...] = ()
     failure: str = ""
     shown: tuple[str, ...] = ()
-    change: tuple[str, ...] = ()
+    shown_moments: tuple[Moment, ...] = ()
+    change: tuple[Change, ...] = ()
     parts: tuple[GoalPart, ...] = ()
     suggested: str = ""
     can_undo: bool = False

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from verbteach.dialogue import acts
 from verbteach.world.fluents import FluentSyntaxError, Literal
@@ -64,14 +64,33 @@ def price_text(price: tuple[float, float] | None) -> str:
 def in_words(kind: str, text: str, wording: Wording) -> str:
     """What the teacher did, as the scene names it: "go to the kettle" for "moveto Kettle_1"."""
     try:
-        if kind == acts.Do.name:
-            return wording.action(Action.parse(text))
-        if kind == acts.Point.name:
-            return f"the {wording.labels[text]}"
-        if kind in (acts.Strike.name, acts.Keep.name):
-            return f"{kind}: {wording.holds(Literal.parse(text))}"
+        return _TOLD[kind](text, wording) if kind in _TOLD else text
     except (ValueError, FluentSyntaxError):
         return text
-    if kind == acts.GoToScene.name:
-        return f"go to {text}"
-    return text
+
+
+def _inserted(text: str, wording: Wording) -> str:
+    at, _, action = text.partition(" ")
+    return f"insert as step {at}: {wording.action(Action.parse(action))}"
+
+
+def _moved(text: str, wording: Wording) -> str:
+    at, to = text.split()
+    return f"step {at} comes at {to}"
+
+
+def _removed(text: str, wording: Wording) -> str:
+    first, dash, last = text.partition("-")
+    return f"without steps {first} to {last}" if dash else f"without step {first}"
+
+
+_TOLD: Mapping[str, Callable[[str, Wording], str]] = {
+    acts.Do.name: lambda text, wording: wording.action(Action.parse(text)),
+    acts.Insert.name: _inserted,
+    acts.Remove.name: _removed,
+    acts.Move.name: _moved,
+    acts.Point.name: lambda text, wording: f"the {wording.labels[text]}",
+    acts.Strike.name: lambda text, wording: f"strike: {wording.holds(Literal.parse(text))}",
+    acts.Keep.name: lambda text, wording: f"keep: {wording.holds(Literal.parse(text))}",
+    acts.GoToScene.name: lambda text, wording: f"go to {text}",
+}

@@ -10,7 +10,7 @@ from verbteach_sessions.script import parse_line, render
 from verbteach_sessions.session_acts import Note
 from verbteach_tui.keyguard import KeyGuard
 from verbteach_tui.keys import word_of
-from verbteach_tui.messages import LineTyped, PartToggled, StepChosen
+from verbteach_tui.messages import ActPicked, LineTyped, PartToggled, StepChosen
 from verbteach_tui.screens.note import NoteScreen
 from verbteach_tui.screens.speaking import SpeakingScreen
 from verbteach_tui.teaching import Teaching
@@ -37,6 +37,8 @@ class AnsweringScreen(SpeakingScreen):
         character = event.character
         if self.typing or character is None or not event.is_printable:
             return
+        if character in getattr(self.focused, "OWN_KEYS", ""):
+            return  # the widget in focus has that key for itself
         if self.guard.typing(character, event.time):
             _consume(event)
             if self.guard.swallowed == 2:
@@ -83,8 +85,12 @@ class AnsweringScreen(SpeakingScreen):
 
     def on_step_chosen(self, message: StepChosen) -> None:
         """An action was picked from the lists."""
-        act = acts.Do(message.action)
+        act = self.meant(acts.Do(message.action))
         self.say(act, render(act), "picked")
+
+    def on_act_picked(self, message: ActPicked) -> None:
+        """An act was picked from a panel."""
+        self.say(message.act, render(message.act), "picked")
 
     def on_part_toggled(self, message: PartToggled) -> None:
         """A part of the goal was struck or kept."""

@@ -50,7 +50,11 @@ class SpeakingScreen(RoomScreen):
         except LineSyntaxError as error:
             self.post_message(Refused(str(error), ""))
             return False
-        return act is not None and self.say(act, line, via)
+        return act is not None and self.say(self.meant(act), line, via)
+
+    def meant(self, act: ScriptAct) -> ScriptAct:
+        """What ``act`` comes to where the person stands; for subclasses."""
+        return act
 
     def say(self, act: ScriptAct, raw: str, via: str) -> bool:
         """Say ``act``; ``raw`` is what was typed or pressed, ``via`` how.

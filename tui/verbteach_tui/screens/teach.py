@@ -13,11 +13,13 @@ from textual.widgets import Static
 
 from verbteach.dialogue import acts
 from verbteach.dialogue.moves import Phase
+from verbteach_sessions.script import ScriptAct
 from verbteach_sessions.session_acts import Quit
 from verbteach_tui.keys import ANSWERS, ANYTIME
 from verbteach_tui.messages import (
     Refused,
     SessionLeft,
+    StepLooked,
     StepShown,
     TargetPicked,
     TurnTaken,
@@ -41,6 +43,7 @@ from verbteach_tui.widgets.mind_view import MindView
 from verbteach_tui.widgets.scene_chooser import LoadScene
 from verbteach_tui.widgets.scene_view import SceneView
 from verbteach_tui.widgets.stage import Stage
+from verbteach_tui.widgets.steps_view import EDITING
 from verbteach_tui.widgets.tab_strip import TabStrip
 from verbteach_tui.widgets.title_bar import TitleBar
 
@@ -67,6 +70,7 @@ class TeachScreen(AnsweringScreen):
         Binding("ctrl+y", "word('redo')", "Redo", show=False, priority=True),
         Binding("slash", "type", "Type", show=False),
         Binding("tab", "switch", "Type, or answer with keys", show=False),
+        Binding("f9", "steps", "The steps shown", show=False),
         Binding("f10", "leave", "Leave"),
     ]
 
@@ -126,7 +130,7 @@ class TeachScreen(AnsweringScreen):
         went_on = self._went_on_typing(snapshot)
         if snapshot.phase is Phase.COMMAND:
             line.focus()
-        elif not (line.has_focus and went_on):
+        elif not (went_on and (line.has_focus or self.query_one(Stage).builder.editing)):
             self._answer_with_keys()
         self._show_keys()
 
@@ -135,7 +139,7 @@ class TeachScreen(AnsweringScreen):
         self.query_one(Stage).take_focus()
 
     def _went_on_typing(self, snapshot: Snapshot) -> bool:
-        """Whether one typed step of a demonstration follows another."""
+        """Whether one step of a demonstration follows another."""
         was, self._phase = self._phase, snapshot.phase
         return was is snapshot.phase is Phase.DEMONSTRATION
 
@@ -145,7 +149,8 @@ class TeachScreen(AnsweringScreen):
 
     def _show_keys(self) -> None:
         watching = self.query_one(Stage).execution.running
-        self.query_one(KeyBar).show_keys(*bar_of(self.snapshot, self.typing, watching))
+        editing = self.query_one(Stage).builder.editing
+        self.query_one(KeyBar).show_keys(*bar_of(self.snapshot, self.typing, watching, editing))
 
     # ---- saying
 
@@ -155,6 +160,8 @@ class TeachScreen(AnsweringScreen):
             self._choose_tab(message.word)
         elif message.word in STEERING:
             self.query_one(Stage).execution.steer(message.word)
+        elif message.word in EDITING:
+            self.query_one(Stage).builder.steps.steer(message.word)
         elif message.word == "leave":
             self._answer_with_keys()
         else:
@@ -169,6 +176,13 @@ class TeachScreen(AnsweringScreen):
             self.query_one(Stage).builder.offer(message.target)
         elif isinstance(self.snapshot.waiting, acts.NpGrdWhq | acts.NpGrdYnq):
             self.say(acts.Point(message.target), message.target, "mouse")
+
+    def meant(self, act: ScriptAct) -> ScriptAct:
+        """A step comes where the person has said that the next one comes."""
+        at = self.query_one(Stage).builder.steps.at
+        if isinstance(act, acts.Do) and at is not None:
+            return acts.Insert(at, act.action)
+        return act
 
     # ---- hearing
 
@@ -206,6 +220,12 @@ class TeachScreen(AnsweringScreen):
         self._speed = self.query_one(Stage).execution.playback.speed
         self._show_keys()
 
+    def on_step_looked(self, message: StepLooked) -> None:
+        """A step of the demonstration is looked at: the scene shows the world after it."""
+        moments = self.snapshot.shown_moments
+        if message.after < len(moments):
+            self._show_moment(moments[message.after])
+
     def on_descendant_focus(self) -> None:
         """Other keys count now."""
         self._show_keys()
@@ -235,6 +255,13 @@ class TeachScreen(AnsweringScreen):
         """Bring a panel into view; where all are, give it the keys."""
         self._choose_tab(name)
         self.query_one(f"#{name}").focus()
+
+    def action_steps(self) -> None:
+        """To the steps of the demonstration, to edit them."""
+        if self.snapshot.phase is Phase.DEMONSTRATION:
+            self.query_one(Stage).builder.steps.focus()
+        else:
+            self.notify("There are steps to edit while you show the robot something.")
 
     def action_verbs(self, frame: str = "") -> None:
         """Look at the verbs the robot has learned."""
@@ -283,6 +310,8 @@ class TeachScreen(AnsweringScreen):
         yield "Other scene", "Go to another scene", self.action_scenes
         for word, _, title in TABS:
             yield title, f"To the panel: {title.lower()}", partial(self.action_tab, word)
+        if self.snapshot.phase is Phase.DEMONSTRATION:
+            yield "Edit the steps", "Take away, move, insert, run", self.action_steps
         yield "Leave", "Leave the session, to go on later", self.action_leave
 
     def _choose_tab(self, name: str, on_stage: bool | None = None) -> None:

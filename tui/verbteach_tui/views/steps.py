@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import islice
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from verbteach.world.fluents import State
 from verbteach.world.plan import Action
 from verbteach.world.task import GroundAction, Task
 from verbteach_tui.views.wording import Wording
+
+WhyNot: TypeAlias = Callable[[State, Action], str]
+"""Says what stands in the way of an action in a state; empty where nothing does."""
 
 
 class Choice(NamedTuple):
@@ -24,8 +27,9 @@ class Choice(NamedTuple):
 class StepBook:
     """The actions of a task with their words, whatever the state."""
 
-    def __init__(self, task: Task, wording: Wording) -> None:
+    def __init__(self, task: Task, wording: Wording, why_not: WhyNot | None = None) -> None:
         self.task, self.wording = task, wording
+        self.why_not = why_not or _unexplained
 
     @cached_property
     def by_name(self) -> Mapping[str, Sequence[GroundAction]]:
@@ -63,8 +67,18 @@ class StepMenu:
     """
 
     def __init__(self, book: StepBook, state: State) -> None:
-        self._book = book
+        self._book, self._state = book, state
         self._bits = book.task.encode(state)
+
+    def after(self, state: State) -> StepMenu:
+        """The same actions in another state."""
+        return StepMenu(self._book, state)
+
+    def why_not(self, name: str, chosen: Sequence[str] = ()) -> str:
+        """Why a whole action cannot be done now; empty where it can, or is not whole."""
+        if self.objects(name, chosen):
+            return ""
+        return self._book.why_not(self._state, Action(name, tuple(chosen)))
 
     def prepare(self) -> None:
         """Work out now, in whatever thread this is, what the screen will ask for."""
@@ -124,6 +138,10 @@ class StepMenu:
 
     def _possible(self, ground: GroundAction) -> bool:
         return ground.applicable(self._bits)
+
+
+def _unexplained(state: State, action: Action) -> str:
+    return ""
 
 
 def _possible_first(choices: Iterable[Choice]) -> tuple[Choice, ...]:

@@ -49,7 +49,7 @@ class Stage(Container):
             self.execution.play(playback) if played else self.execution.show_over(playback)
         elif view is self.builder:
             self.border_title = f"{view.BORDER_TITLE}: {shortened(snapshot.command, 40)}"
-            self.builder.show_menu(snapshot.menu, snapshot.shown, snapshot.change, snapshot.problem)
+            self.builder.show_snapshot(snapshot, speed)
         elif isinstance(view, ReadBackView):
             view.show_parts(snapshot.parts)
         return view is not None
