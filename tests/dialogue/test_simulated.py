@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 
 import pytest
 
-from tests.dialogue.stage import BOIL, robot
+from tests.dialogue.stage import BOIL, robot, tell
 from verbteach.dialogue import acts
 from verbteach.dialogue.judging import Judge
 from verbteach.dialogue.lesson import Lesson
 from verbteach.dialogue.moves import Phase
 from verbteach.dialogue.robot import Robot
-from verbteach.dialogue.simulated import SimulatedTeacher, seeded_order
+from verbteach.dialogue.simulated import SimulatedTeacher, TeacherHabits, seeded_order
 from verbteach.verbs.space import FrameKey
 from verbteach.world.fluents import Fluent, Literal
 from verbteach.world.plan import Action
@@ -82,3 +83,53 @@ def test_a_wrong_goal_is_corrected_literal_by_literal() -> None:
     frame = pupil.state.knowledge.frames[FrameKey("boil", 1)]
     hot = Literal(Fluent("hot", ("?0",)))
     assert all(hot in node.literals for node in frame.nodes.values() if node.confirmed)
+
+
+def test_a_word_like_one_it_knows_is_no_slip_if_the_teacher_says_so() -> None:
+    """No to "did you mean toast?" means that "roast" was meant; the lesson is not lost."""
+    pupil = robot()
+    offered = tell(pupil, acts.Command("roast the egg"))
+    assert isinstance(offered.waiting_act, acts.AskRephrase)
+    assert pupil.state.suggested == "toast the egg"
+    turn = tell(pupil, acts.Command("no"))
+    assert turn.phase is Phase.DEMONSTRATION
+    assert pupil.state.episode is not None
+    assert pupil.state.episode.frame.verb == "roast"
+
+
+@pytest.mark.parametrize(
+    ("habits", "expected"),
+    [
+        (TeacherHabits(), acts.Yes()),
+        (TeacherHabits(wrong=1.0), acts.No()),
+        (TeacherHabits(unsure=1.0), acts.Unsure()),
+        (TeacherHabits(patience=0), acts.Unsure()),
+    ],
+)
+def test_habits_change_answers(habits: TeacherHabits, expected: acts.TeacherAct) -> None:
+    pupil = robot()
+    teacher = SimulatedTeacher([boil()], pupil.settings, habits=habits)
+    tell(pupil, teacher.reply(pupil.turn, pupil.state) or acts.Skip())
+    question = acts.GoalPredYnq(Literal(Fluent("hot", ("Water",))))
+    turn = replace(pupil.turn, acts=(question,), phase=Phase.EXECUTION)
+    assert teacher.reply(turn, pupil.state) == expected
+    assert teacher.reply(turn, pupil.state) == expected
+
+
+def test_rates_are_met_and_seeds_matter() -> None:
+    pupil = robot()
+    question = replace(
+        pupil.turn, acts=(acts.EnvPredYnq(Fluent("hot", ("Water",))),), phase=Phase.EXECUTION
+    )
+    wrong = 0
+    for seed in range(200):
+        habits = TeacherHabits(wrong=0.2, seed=seed)
+        teacher = SimulatedTeacher([boil()], pupil.settings, given=1, habits=habits)
+        wrong += teacher.reply(question, pupil.state) == acts.Yes()
+    assert 20 <= wrong <= 60
+
+
+@pytest.mark.parametrize("rate", [-0.1, 1.1])
+def test_a_rate_is_a_probability(rate: float) -> None:
+    with pytest.raises(ValueError, match="between 0 and 1"):
+        TeacherHabits(wrong=rate)

@@ -17,12 +17,17 @@ from verbteach.language.frames import VerbFrame
 
 
 def hear(draft: Draft, text: str) -> None:
-    """Take up a command, or a yes to the command that the robot offered instead."""
-    suggested, offered = draft.state.suggested, draft.state.offered
-    draft.remember(suggested="", offered=())
+    """Take up a command, or the answer to the command that the robot offered instead.
+
+    A no to a word that the robot offered means the word that was said.
+    """
+    suggested, heard, offered = draft.state.suggested, draft.state.heard, draft.state.offered
+    draft.remember(suggested="", heard="", offered=())
     label = read_reply(text).label if suggested else ""
     if not label:
-        _consider(draft, read_command(draft, text))
+        _consider(draft, text, read_command(draft, text))
+    elif label == "no" and heard:
+        _consider(draft, heard, read_command(draft, heard, as_said=True))
     elif label != "yes":
         draft.wait(AskRephrase("Then please say it in other words."), Phase.COMMAND)
     elif offered:
@@ -31,10 +36,10 @@ def hear(draft: Draft, text: str) -> None:
         hear(draft, suggested)
 
 
-def _consider(draft: Draft, reading: CommandReading) -> None:
+def _consider(draft: Draft, text: str, reading: CommandReading) -> None:
     """Take up what was read, or ask where nothing was or the second reader reads it otherwise."""
     if not reading.frames:
-        draft.remember(suggested=reading.suggestion)
+        draft.remember(suggested=reading.suggestion, heard=text if reading.suggestion else "")
         draft.wait(AskRephrase(reading.problem), Phase.COMMAND)
     elif reading.disputed:
         _offer(draft, reading.frames)

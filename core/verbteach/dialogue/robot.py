@@ -122,6 +122,7 @@ class Robot:
             referents=(),
             clauses=(),
             suggested="",
+            heard="",
             offered=(),
         )
         return self._turn(state, await_command)

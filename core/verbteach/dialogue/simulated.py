@@ -94,8 +94,11 @@ class SimulatedTeacher:
         return self._lessons[self.given - 1]
 
     def _command(self, state: RobotState) -> TeacherAct | None:
-        if state.offered:  # lessons are checked: the grammar reads their commands as meant
+        # Lessons are checked: the grammar reads their commands as meant, and no word is a slip.
+        if state.offered:
             return acts.Command("yes")
+        if state.suggested:
+            return acts.Command("no")
         if self.given >= len(self._lessons):
             return None
         lesson = self._lessons[self.given]

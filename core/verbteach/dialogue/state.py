@@ -137,7 +137,7 @@ class RobotState:
     scenes. ``spoken`` are the last clause's phrases with their objects, for
     pronouns, and ``referents`` those of this command's earlier clauses;
     ``clauses`` are the clauses still to come; ``suggested`` is a command the
-    robot has offered instead of one it could not read, and ``offered`` its
+    robot has offered instead of what it ``heard``, and ``offered`` its
     clauses where they are the robot's own reading, which a second one disputes.
     ``policy`` is the question policy as it has learned to be, where it learns.
     """
@@ -152,6 +152,7 @@ class RobotState:
     referents: tuple[tuple[str, str], ...] = ()
     clauses: tuple[VerbFrame, ...] = ()
     suggested: str = ""
+    heard: str = ""
     offered: tuple[VerbFrame, ...] = ()
     totals: Totals = field(default_factory=Totals)
     policy: LearningPolicy | None = None
@@ -180,6 +181,7 @@ def state_to_json(state: RobotState) -> dict[str, Any]:
         "suggested": state.suggested,
         # Absent where nothing is disputed: digests are then as they were before there was this.
         **({"offered": [repr(clause) for clause in state.offered]} if state.offered else {}),
+        **({"heard": state.heard} if state.heard else {}),
         **({"policy": state.policy.digest} if state.policy else {}),
         "totals": vars(state.totals),
         "episode": None if episode is None else _episode(episode),

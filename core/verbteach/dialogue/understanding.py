@@ -54,8 +54,11 @@ class Found:
     problem: str = ""
 
 
-def read_command(draft: Draft, text: str) -> CommandReading:
-    """Read a command's clauses; a verb near a known one is offered, never taken for it."""
+def read_command(draft: Draft, text: str, *, as_said: bool = False) -> CommandReading:
+    """Read a command's clauses; a verb near a known one is offered, never taken for it.
+
+    ``as_said``: the teacher has said that the verb is no slip.
+    """
     if len(text) > _LONGEST_COMMAND:
         return CommandReading((), "That is too long for me. Please say it in a sentence or two.")
     setting = draft.mind.setting
@@ -63,7 +66,7 @@ def read_command(draft: Draft, text: str) -> CommandReading:
     if not frames:
         why = explain_unread(text, setting.lexicon, setting.vocabulary)
         return CommandReading((), _UNREAD[why] if why else _UNREAD[Unread.NO_VERB])
-    typo = _verb_typo(draft, text, frames)
+    typo = None if as_said else _verb_typo(draft, text, frames)
     return typo or CommandReading(resolve(frames), disputed=_is_disputed(setting, text, frames))
 
 
