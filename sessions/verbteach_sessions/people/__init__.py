@@ -1,0 +1,1 @@
+"""Teachers made from records: exact replay and fitted users; records as logs of a policy."""
