@@ -139,9 +139,9 @@ class Policies:
     execution: AskingPolicy
 
 
-def run(bench: Bench, config: Config) -> Result:
-    """Carry out one configuration."""
-    return _Run(bench, config).result()
+def run(bench: Bench, config: Config, policies: Policies | None = None) -> Result:
+    """Carry out one configuration; with ``policies`` none is trained, and those are tested."""
+    return _Run(bench, config, policies).result()
 
 
 @dataclass(frozen=True)
@@ -176,9 +176,10 @@ class _Acquired(dict[str, Example]):
 
 
 class _Run:
-    def __init__(self, bench: Bench, config: Config) -> None:
+    def __init__(self, bench: Bench, config: Config, policies: Policies | None = None) -> None:
         self.bench = bench
         self.config = config
+        self.policies = policies
         noise = NoiseModel.named(config.noise, config.reading)
         self.sight = Sight.of(noise, bench.instances, config.seed, config.run)
         self.environments = sorted({i.environment for i in bench.instances})
@@ -220,7 +221,7 @@ class _Run:
 
     @property
     def _learns(self) -> bool:
-        return self.config.policy == "rl"
+        return self.config.policy == "rl" and self.policies is None
 
     def _groups(self) -> list[list[str]]:
         if self.config.together:
@@ -255,6 +256,8 @@ class _Run:
                 self.checkpoints.setdefault(len(lessons), []).extend(tested)
 
     def _learning_policy(self, practice: Sequence[Instance], name: str) -> AskingPolicy:
+        if self.policies is not None:
+            return self.policies.learning
         if not self._learns:
             return _rule(self.config)
         situations = [self._demonstration_practice(i) for i in practice]
@@ -269,6 +272,8 @@ class _Run:
         acquired: Mapping[str, Example],
         name: str,
     ) -> AskingPolicy:
+        if self.policies is not None:
+            return self.policies.execution
         if not self._learns:
             return _rule(self.config)
         memories = {

@@ -10,7 +10,14 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
 
 import typer
 
-from verbteach_tui.commands.parameters import JsonFlag, NoiseOption, NoiseReading, SeedOption
+from verbteach_tui.commands.evaluate_policy import Question, policy_document, taught_document
+from verbteach_tui.commands.parameters import (
+    JsonFlag,
+    NoiseOption,
+    NoiseReading,
+    SeedOption,
+    WeightsOption,
+)
 from verbteach_tui.commands.streams import Progress, columns, emit, progress, tell
 from verbteach_tui.conclusion import WrongUseError
 
@@ -24,8 +31,20 @@ R = TypeVar("R")
 
 def evaluate(
     policy: Annotated[
-        str, typer.Option(metavar="NAME", help="The learner: she16, or she16-all as in the paper.")
-    ] = "she16",
+        str | None,
+        typer.Option(
+            metavar="NAME",
+            help="she16 (default), she16-all as in the paper, or one that asks:"
+            " rl, manual, random, split or silent.",
+        ),
+    ] = None,
+    weights: WeightsOption = None,
+    source: Annotated[
+        Path | None,
+        typer.Option(
+            "--from", metavar="SESSION", help="Score the robot that was taught in this session."
+        ),
+    ] = None,
     criterion: Annotated[
         str | None,
         typer.Option(
@@ -60,19 +79,35 @@ def evaluate(
 ) -> None:
     """Score a verb model on commands from environments that it has not seen.
 
+    A policy that asks learns to ask first, unless --weights has what it learned.
     The number of processes changes no figure.
     """
     from verbteach.experiments import evaluation
 
     if test_data is not None and data is None:
         raise WrongUseError("--test-data needs --data: what to learn from")
-    setup = _setup(policy, criterion, objects, noise, noise_reading, seed or 0)
+    asked = Question(
+        policy, noise or "perfect", noise_reading or "literal", grounding, runs, seed or 0, weights
+    )
     with progress() as show:
-        found = _data(data, test_data, show)
-        setup = _grounded(setup, grounding, found)
-        document = evaluation.evaluate(
-            found.grounds, setup, runs, _Spread(jobs, show), ceilings=ceilings
-        )
+        if source is not None or asked.about_asking:
+            _refuse_she16(
+                {"--criterion": criterion, "--objects": objects, "--test-data": test_data}
+            )
+            asked.check()
+            found = _data(data, None, show)
+            document = (
+                policy_document(asked, found, show)
+                if source is None
+                else taught_document(source, asked, found, show)
+            )
+        else:
+            setup = _setup(policy or "she16", criterion, objects, noise, noise_reading, seed or 0)
+            found = _data(data, test_data, show)
+            setup = _grounded(setup, grounding, found)
+            document = evaluation.evaluate(
+                found.grounds, setup, runs, _Spread(jobs, show), ceilings=ceilings
+            )
     document = {
         **document,
         "noise": noise or "perfect",
@@ -82,6 +117,12 @@ def evaluate(
         emit(document)
     else:
         _print(document)
+
+
+def _refuse_she16(given: dict[str, object]) -> None:
+    for option, value in given.items():
+        if value is not None:
+            raise WrongUseError(f"{option} is for --policy she16")
 
 
 def _setup(
@@ -152,13 +193,22 @@ class _Spread:
 
 
 def _print(document: dict[str, Any]) -> None:
-    names = ("policy", "criterion", "objects", "grounding", "noise", "noise_reading", "instances")
-    tell(columns([(name, str(document[name])) for name in names]))
+    names = ("from", "policy", "criterion", "objects", "grounding", "noise", "noise_reading")
+    settled = [(name, str(document[name])) for name in names if name in document]
+    tell(columns([*settled, ("instances", str(document["instances"]))]))
     tell()
     rows = [("", "IED", "SJI"), ("score", _figure(document["ied"]), _figure(document["sji"]))]
     for name, both in document.get("ceilings", {}).items():
         rows.append((name.replace("_", " "), _figure(both["ied"]), _figure(both["sji"])))
     tell(columns(rows))
+    if "by_type" in document:
+        tell()
+        phases = [(name, _figure(document[name])) for name in _ASKED]
+        kinds = [(name, f"{mean:.2f}") for name, mean in document["by_type"].items()]
+        tell(columns([(name.replace("_", " "), figure) for name, figure in phases + kinds]))
+
+
+_ASKED = ("questions_learning", "questions_execution")
 
 
 def _figure(figure: dict[str, Any]) -> str:

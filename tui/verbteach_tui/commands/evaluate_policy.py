@@ -1,0 +1,169 @@
+"""Scoring question policies, and robots that somebody taught, for `verbteach evaluate`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from verbteach_tui.commands.streams import Progress
+from verbteach_tui.conclusion import WrongUseError
+
+if TYPE_CHECKING:
+    from verbteach.experiments.interactive_bench import Bench
+    from verbteach.experiments.interactive_protocol import Policies
+    from verbteach.policy.asking_policy import AskingPolicy
+    from verbteach.verbs.instance import Instance
+    from verbteach_scenarios.grounds import EvaluationData
+    from verbteach_sessions.learned import Taught
+
+LEARNED = "rl"
+RULES = ("manual", "random", "split", "silent")
+
+
+@dataclass(frozen=True)
+class Question:
+    """What is asked of the evaluation: policy, eyes, where objects come from, how often."""
+
+    policy: str | None
+    noise: str
+    reading: str
+    grounding: str
+    runs: int
+    seed: int
+    weights: Path | None
+
+    @property
+    def about_asking(self) -> bool:
+        """Whether it is about a policy that asks."""
+        return self.policy in (LEARNED, *RULES) or self.weights is not None
+
+    def check(self) -> None:
+        """Raise :class:`WrongUseError` where the parts do not go together."""
+        if self.policy not in (None, LEARNED, *RULES):
+            raise WrongUseError(f"a policy that asks is {LEARNED}, {', '.join(RULES)}")
+        if self.weights is not None and self.policy not in (None, LEARNED):
+            raise WrongUseError(f"--weights is for --policy {LEARNED}")
+        if self.grounding == "own":
+            raise WrongUseError(
+                "--grounding own is for --policy she16; there are corpus and oracle"
+            )
+
+
+def policy_document(asked: Question, data: EvaluationData, show: Progress) -> dict[str, Any]:
+    """A policy learns to ask in some rooms, acquires verbs and is tested in the others."""
+    from verbteach.experiments.figures import Observation
+    from verbteach.experiments.interactive_protocol import Config, run
+    from verbteach.experiments.policy_scores import policy_scores
+
+    bench, policies = _bench(asked, data), _given(asked)
+    results = []
+    for number in range(asked.runs):
+        show("runs", number, asked.runs)
+        config = Config(
+            policy=asked.policy or LEARNED,
+            noise=asked.noise,
+            reading=asked.reading,
+            seed=asked.seed,
+            run=number,
+        )
+        results.append(run(bench, config, policies))
+    show("runs", asked.runs, asked.runs)
+    learning = [
+        [Observation("lessons", sum(one.taught.questions.values()) / max(1, one.taught.dialogues))]
+        for one in results
+    ]
+    scores = policy_scores([one.tested for one in results], learning, asked.seed)
+    return {"policy": asked.policy or LEARNED, "grounding": asked.grounding, **scores}
+
+
+def taught_document(
+    source: Path, asked: Question, data: EvaluationData, show: Progress
+) -> dict[str, Any]:
+    """A robot that was taught in a session, on the commands of rooms that it was not taught in."""
+    from verbteach.dialogue.asking import confirmed_memory
+    from verbteach.experiments.examination import Examination, Pupil
+    from verbteach.experiments.figures import Observation
+    from verbteach.experiments.policy_scores import policy_scores
+    from verbteach.perception.noise import NoiseModel
+    from verbteach_sessions.learned import taught_by
+    from verbteach_sessions.method import knowledge_of
+
+    taught = taught_by(source)
+    knowledge, _ = knowledge_of(taught.source.records)
+    if not knowledge.verbs:
+        raise WrongUseError(f"{source}: the robot learned no verb in this session")
+    rooms = {space.demonstration.id.split("#", 1)[0] for space in knowledge.spaces}
+    bench = _bench(asked, data)
+    commands = _elsewhere(bench, rooms, source)
+    pupil = Pupil(confirmed_memory(knowledge), _way_of_asking(asked, taught))
+    noise = NoiseModel.named(asked.noise, asked.reading)
+    exam = Examination(bench, commands, noise, asked.seed)
+    total = asked.runs * len(commands)
+    held = [
+        exam.held(pupil, number, _counted(show, number * len(commands), total))
+        for number in range(asked.runs)
+    ]
+    each = [Observation(f"lesson {i}", float(n)) for i, n in enumerate(taught.asked or (0,))]
+    learning = [each] * asked.runs
+    known = sum(one.verb in knowledge.verbs for one in commands)
+    return {
+        "policy": pupil.policy.name,
+        "grounding": asked.grounding,
+        "from": str(source),
+        "verbs": list(knowledge.verbs),
+        "commands_of_known_verbs": known,
+        **policy_scores(held, learning, asked.seed),
+    }
+
+
+def _bench(asked: Question, data: EvaluationData) -> Bench:
+    from verbteach.experiments.interactive_bench import BenchParameters
+    from verbteach_scenarios.benches import bench_of
+
+    return bench_of(data, BenchParameters(oracle=asked.grounding == "oracle"))
+
+
+def _given(asked: Question) -> Policies | None:
+    """The policies of a file of weights; none where they are to be trained, or are rules."""
+    from verbteach.experiments.interactive_protocol import Policies
+    from verbteach.policy.linear import LinearPolicy
+    from verbteach_scenarios.weights import load_weights
+
+    if asked.weights is None:
+        return None
+    trained = load_weights(asked.weights)
+    return Policies(LinearPolicy(trained.learning), LinearPolicy(trained.execution))
+
+
+def _way_of_asking(asked: Question, taught: Taught) -> AskingPolicy:
+    """As the command line names it, else as the session's robot has learned to ask."""
+    from verbteach.policy.fixed_rules import ManualPolicy, RandomPolicy, SilentPolicy, SplitPolicy
+    from verbteach.policy.linear import LinearPolicy, Weights
+    from verbteach.policy.weights_file import EXECUTION
+    from verbteach_scenarios.weights import starting_weights
+
+    rules = {rule.name: rule for rule in (ManualPolicy(), RandomPolicy(), SplitPolicy())}
+    given, name = _given(asked), asked.policy or taught.method.policy.name
+    if given is not None:
+        return given.execution
+    if name != LEARNED:
+        return rules.get(name, SilentPolicy())
+    if taught.policy is None:
+        return LinearPolicy(starting_weights().execution)
+    try:
+        return LinearPolicy(Weights.from_json(EXECUTION, taught.policy.trained()["execution"]))
+    except ValueError as error:
+        raise WrongUseError(f"the session's weights do not fit this version: {error}") from error
+
+
+def _elsewhere(bench: Bench, rooms: set[str], source: Path) -> list[Instance]:
+    commands = [one for one in bench.instances if one.environment not in rooms]
+    if not commands:
+        raise WrongUseError(f"{source}: the robot was taught in every room that there is")
+    return commands
+
+
+def _counted(show: Progress, before: int, total: int) -> Callable[[int], None]:
+    return lambda done: show("commands", before + done, total)
