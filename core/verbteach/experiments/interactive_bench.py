@@ -6,15 +6,17 @@ on which worker computed what before.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import islice, product
+from typing import TypeAlias
 
 from verbteach.dialogue.execution_inquiry import ExecutionInquiry
 from verbteach.dialogue.grounding import GroundingBelief
 from verbteach.dialogue.inquiry import InquiryParameters
 from verbteach.dialogue.learning_inquiry import LearningInquiry, shown_grounding
 from verbteach.experiments.gold import gold_sequence
+from verbteach.experiments.groundings import Grounder
 from verbteach.experiments.sight import Sight
 from verbteach.experiments.workroom import Workroom, Workrooms
 from verbteach.perception.belief import Belief
@@ -25,6 +27,10 @@ from verbteach.verbs.pool import PoolParameters, PoolSource
 from verbteach.verbs.resemblance import Said
 from verbteach.verbs.seen_change import seen_change
 from verbteach.world.plan import Action
+from verbteach.world.reliance import foresight
+
+Joint: TypeAlias = tuple[tuple[str, ...], ...]
+"""Joint groundings: an object for each noun phrase."""
 
 
 @dataclass(frozen=True)
@@ -44,14 +50,20 @@ class BenchParameters:
 
 @dataclass
 class Bench:
-    """Instances in their rooms."""
+    """Instances in their rooms.
+
+    ``grounder`` says what noun phrases may mean; without one the corpus's
+    candidates are equally likely. What the human means by them is the corpus's
+    all the same.
+    """
 
     instances: Sequence[Instance]
     rooms: Workrooms
     parameters: BenchParameters = field(default_factory=BenchParameters)
+    grounder: Grounder | None = None
 
     def __post_init__(self) -> None:
-        self._analogies: dict[str, Analogies] = {}
+        self._analogies: dict[tuple[str, Joint], Analogies] = {}
         self._gold: dict[str, tuple[Action, ...]] = {}
 
     def room(self, instance: Instance) -> Workroom:
@@ -65,44 +77,63 @@ class Bench:
             self._gold[instance.id] = gold_sequence(instance, room.task, room.planner)
         return self._gold[instance.id]
 
-    def candidates(self, instance: Instance) -> tuple[tuple[str, ...], ...]:
-        """The objects that each noun phrase may mean, before anything is asked."""
-        return instance.narrowed if self.parameters.oracle else instance.candidates
-
-    def analogies(self, instance: Instance) -> Analogies:
-        """The bindings of an instance's command."""
-        if instance.id not in self._analogies:
-            joint = islice(product(*self.candidates(instance)), self.parameters.groundings)
-            said = Said(instance.verb, instance.phrases)
-            setting = self.room(instance).setting
-            self._analogies[instance.id] = Analogies(said, tuple(joint), setting)
-        return self._analogies[instance.id]
-
     def command(self, instance: Instance, sight: Sight, memory: Memory) -> ExecutionInquiry:
         """The execution phase of an instance's command, nothing asked yet."""
-        source = PoolSource(self.analogies(instance), memory, self.parameters.pool)
-        weights: Mapping[str, Mapping[str, float]] = {
-            phrase: dict.fromkeys(things, 1.0)
-            for phrase, things in zip(instance.phrases, self.candidates(instance), strict=True)
-        }
+        joint, grounding = self._grounded(instance, memory)
+        source = PoolSource(self._analogies_of(instance, joint), memory, self.parameters.pool)
         room = self.room(instance)
         return ExecutionInquiry.begin(
             source,
             room.task.static,
             _changing(sight.met(instance, room), room),
-            GroundingBelief.of(weights),
+            grounding,
             self.parameters.inquiry,
         )
+
+    def _grounded(self, instance: Instance, memory: Memory) -> tuple[Joint, GroundingBelief]:
+        """The joint groundings that are weighed, and the belief over each phrase's objects."""
+        if self.grounder is None:
+            each = instance.narrowed if self.parameters.oracle else instance.candidates
+            weights = {
+                phrase: dict.fromkeys(things, 1.0)
+                for phrase, things in zip(instance.phrases, each, strict=True)
+            }
+            joint = tuple(islice(product(*each), self.parameters.groundings))
+            return joint, GroundingBelief.of(weights)
+        shown = [example.demonstration for example in memory.examples]
+        rows = self.grounder(instance, shown)[: self.parameters.groundings]
+        return tuple(objects for objects, _ in rows), marginals(instance.phrases, rows)
+
+    def _analogies_of(self, instance: Instance, joint: Joint) -> Analogies:
+        """The bindings of an instance's command."""
+        key = (instance.id, joint)
+        if key not in self._analogies:
+            said = Said(instance.verb, instance.phrases)
+            self._analogies[key] = Analogies(said, joint, self.room(instance).setting)
+        return self._analogies[key]
 
     def demonstration(self, instance: Instance, sight: Sight) -> LearningInquiry:
         """The learning phase after an instance's demonstration, nothing asked yet."""
         room = self.room(instance)
         before, after = sight.demonstrated(instance, room)
         change = seen_change(room.task, before, after, instance.actions)
-        grounding = shown_grounding(
-            instance.phrases, instance.candidates, change.likely, instance.actions
-        )
+        candidates: Sequence[Sequence[str]] = instance.candidates
+        if self.grounder is not None:
+            belief = marginals(instance.phrases, self.grounder(instance, ()))
+            candidates = [[thing for thing, _ in belief[phrase]] for phrase in instance.phrases]
+        grounding = shown_grounding(instance.phrases, candidates, change.likely, instance.actions)
         return LearningInquiry(change, grounding, self.parameters.inquiry)
+
+
+def marginals(
+    phrases: Sequence[str], rows: Sequence[tuple[tuple[str, ...], float]]
+) -> GroundingBelief:
+    """Each phrase's objects, from joint groundings with their probabilities."""
+    weights: dict[str, dict[str, float]] = {phrase: {} for phrase in phrases}
+    for objects, probability in rows:
+        for phrase, thing in zip(phrases, objects, strict=True):
+            weights[phrase][thing] = weights[phrase].get(thing, 0.0) + probability
+    return GroundingBelief.of(weights)
 
 
 def _changing(belief: Belief, room: Workroom) -> Belief:
