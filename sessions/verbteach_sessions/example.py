@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from functools import cache
@@ -123,7 +122,7 @@ def hold(folder: Path, planned: Planned, settings: Settings) -> Path:
         planned.seed,
     )
     rng = np.random.default_rng([planned.seed, 3])
-    draft = folder / ".unfinished"
+    draft = folder / f".{header.id}"  # of its own: other processes hold other sessions
     with Session.create(draft, header, settings, clock=clock) as session:
         while (act := teacher.reply(session.turn, session.robot.state)) is not None:
             shown = session.now()
@@ -131,8 +130,7 @@ def hold(folder: Path, planned: Planned, settings: Settings) -> Path:
             session.perform(act, raw=spoken(act), via="simulated", shown_at=shown)
         session.perform(Quit(), raw="quit", via="simulated", shown_at=session.now())
     (draft / header.id).rename(path)
-    with suppress(OSError):  # another session may be under way in it
-        draft.rmdir()
+    draft.rmdir()
     return path
 
 

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from verbteach.dialogue.setting import Settings
-from verbteach_sessions.eventlog import LOG_NAME
 from verbteach_sessions.files import open_regular, replace_file
 from verbteach_sessions.lines import LineError, parse
 from verbteach_sessions.people.fitted_user import FORMAT, FittedUser, FittedUserError
@@ -52,26 +51,6 @@ def gather(
         if heard is not None:
             heard(done, len(paths))
     return Material(tuple(records), tuple(observed))
-
-
-def session_paths(paths: Iterable[Path]) -> tuple[Path, ...]:
-    """The sessions at the paths, and those in them where they are folders of sessions.
-
-    Each once, in the order given and by name. Raises :class:`FittedUserError`
-    for a path that holds none.
-    """
-    found: dict[Path, None] = {}
-    for path in paths:
-        if path.is_file() or (path / LOG_NAME).exists():
-            inside = [path]
-        elif path.is_dir():
-            inside = sorted(one for one in path.iterdir() if (one / LOG_NAME).exists())
-        else:
-            inside = []
-        if not inside:
-            raise FittedUserError(f"{path}: there is no session, and no folder of sessions")
-        found.update(dict.fromkeys(inside))
-    return tuple(found)
 
 
 def save_user(path: Path, user: FittedUser) -> None:

@@ -84,6 +84,17 @@ def read_recorded(path: Path, settings: Settings) -> Recorded:
     return following.recorded()
 
 
+def read_header(path: Path) -> Header:
+    """A session's header. Raises the errors of reading a log."""
+    reader = LogReader(path)
+    first = next(iter(reader))
+    try:
+        check_fields(first)
+        return Header.from_json(first.data)
+    except ValueError as error:
+        raise LogError(reader.path, 1, str(error)) from error
+
+
 UnknownEventError = (EventError, ActFormatError, ValueError)
 """What is raised by an event that cannot be read."""
 

@@ -26,6 +26,7 @@ from verbteach_tui.commands.streams import columns, counting, emit, note, progre
 from verbteach_tui.conclusion import DONE, INTERRUPTED, WRONG_USE, WrongUseError
 from verbteach_tui.near import known
 from verbteach_tui.options import OpenHome, Opening, OpenNew, OpenSession
+from verbteach_tui.stand_ins import FITTED, StandIn, stand_in_for
 from verbteach_tui.terminal import has_terminal, in_browser
 
 if TYPE_CHECKING:
@@ -50,8 +51,9 @@ def teach(
     teacher: Annotated[
         str,
         typer.Option(
-            metavar="human|simulated|FILE|-",
-            help="Who teaches: you, the bundled lessons' teacher, or a script's lines.",
+            metavar="human|simulated|fitted:FILE|SESSION|FILE|-",
+            help="Who teaches: you, the bundled lessons' teacher, a user fitted to sessions, a"
+            " recorded session's teacher, or a script's lines.",
         ),
     ] = HUMAN,
     lessons: Annotated[
@@ -151,14 +153,17 @@ def teach(
             }
         )
     rates = {"--wrong-answers": wrong, "--dont-know": unsure, "--patience": patience}
-    _only_simulated(teacher, {"--lessons": lessons, **rates})
+    stand_in = None if teacher in (HUMAN, SIMULATED) else stand_in_for(teacher)
+    kind = SIMULATED if stand_in and stand_in.kind == FITTED else teacher
+    _only_simulated(kind, {"--lessons": lessons})
+    _only_simulated(teacher, rates)
     from verbteach_sessions.catalogue import default_folder
 
     default = Choices()
     beginning = Beginning(
         folder=sessions or default_folder(),
-        interface=_interface(teacher, plain),
-        teacher=teacher if teacher in (HUMAN, SIMULATED) else "script",
+        interface=_interface(kind, plain),
+        teacher=kind if kind in (HUMAN, SIMULATED) else "script",
         scenes=scenes,
         choices=Choices(
             policy or default.policy,
@@ -184,13 +189,19 @@ def teach(
         "browser": lambda: _on_screen(beginning, scene, resume, theme),
         "plain": lambda: _plain(beginning, scene, resume, out),
     }
+    if stand_in is not None:
+        own = policy or noise or noise_reading or scene or seed is not None or source
+        ways = {
+            "simulated": lambda: _fitted(beginning, stand_in, scene, resume, lessons or LESSONS),
+            "script": lambda: _recorded(beginning, stand_in, scene, resume, bool(own)),
+        }
     if study is not None:
         from verbteach_tui.study.taking_part import ways as ways_in_study
 
         ways = ways_in_study(beginning, study, theme, out)
     again = "".join(f" {name} {rate}" for name, rate in rates.items() if rate is not None)
-    count = f" --teacher {SIMULATED} --lessons {lessons or LESSONS}"
-    same = f"{count}{again}" if teacher == SIMULATED else ""
+    count = f" --teacher {teacher} --lessons {lessons or LESSONS}"
+    same = f"{count}{again}" if kind == SIMULATED else ""
     status = _interruptible(beginning, ways[beginning.interface], same)
     if (as_json and status != WRONG_USE) or not (as_json or study or in_browser()):
         _conclude(beginning, as_json)
@@ -290,6 +301,38 @@ def _simulated(
         given = counting(show, "lessons", count)
         habits = TeacherHabits(*rates, seed=session.header.method.parameters.seed)
         simulate(session, lessons, count, beginning.setting, given, habits)
+        return DONE
+
+
+def _fitted(
+    beginning: Beginning, user: StandIn, scene: str | None, resume: Path | None, count: int
+) -> int:
+    from verbteach_sessions.people.fitting import load_user
+    from verbteach_tui.stand_ins import teach_as_fitted
+
+    population = load_user(user.path).population  # before there is a session
+    first = scene or beginning.scene_ids()[0]
+    with _session(beginning, first, resume) as session, progress() as show:
+        given = counting(show, "lessons", count)
+        teach_as_fitted(session, population, count, scene, beginning, given)
+        return DONE
+
+
+def _recorded(
+    beginning: Beginning, teacher: StandIn, scene: str | None, resume: Path | None, own: bool
+) -> int:
+    """As the record began, unless something else was asked for."""
+    from verbteach_sessions.people.recorded import read_header
+    from verbteach_tui.stand_ins import begin_as_recorded, teach_as_recorded
+
+    if resume is not None:
+        raise WrongUseError("--resume: a recorded session is taught again from its beginning")
+    with (
+        _session(beginning, scene or read_header(teacher.path).scene, None)
+        if own
+        else begin_as_recorded(beginning, teacher.path)
+    ) as session:
+        teach_as_recorded(session, teacher.path)
         return DONE
 
 
