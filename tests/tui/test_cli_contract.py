@@ -16,7 +16,7 @@ from verbteach_tui.commands.tree import build
 
 OPTIONS: Mapping[str, str] = {
     "teach": "--scene --teacher --lessons --plain --noise --noise-reading --policy --from"
-    " --participant --seed --sessions --resume --json",
+    " --participant --study --seed --sessions --resume --json",
     "replay": "--verify --to --speed --plain --json",
     "sessions list": "--json",
     "sessions show": "--json",
@@ -38,6 +38,12 @@ OPTIONS: Mapping[str, str] = {
     "lessons check": "--lessons --json",
     "parse": "--scene --json",
     "bench": "--peers --json",
+    "serve": "--host --port --tokens --study",
+    "study new": "--json",
+    "study check": "--json",
+    "study status": "--sessions --json",
+    "study answers": "--sessions --out --json",
+    "study tokens": "--count --json",
     "doctor": "--json",
 }
 

@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from verbteach_tui.conclusion import WrongUseError
+from verbteach_tui.terminal import size_in_browser
 
 if TYPE_CHECKING:
     from verbteach.dialogue.setting import Setting, Settings
@@ -180,5 +181,5 @@ def _terminal_size() -> tuple[int, int] | None:
     try:
         size = os.get_terminal_size()
     except OSError:
-        return None
+        return size_in_browser()
     return size.columns, size.lines

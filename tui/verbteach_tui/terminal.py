@@ -21,6 +21,14 @@ def in_browser() -> bool:
     return os.environ.get("TEXTUAL_DRIVER", "").endswith(":WebDriver")
 
 
+def size_in_browser() -> tuple[int, int] | None:
+    """The columns and rows that the page began with; ``None`` where there is no page."""
+    columns, rows = os.environ.get("COLUMNS", ""), os.environ.get("ROWS", "")
+    if not (in_browser() and columns.isdigit() and rows.isdigit()):
+        return None
+    return int(columns), int(rows)
+
+
 @dataclass(frozen=True)
 class Terminal:
     """What is known of the terminal; ``columns`` and ``lines`` are 0 where there is none."""

@@ -15,7 +15,22 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "verbteach teach --teacher simulated --lessons 50 --seed 1 --json",
         "verbteach teach --teacher lesson.txt --scene kitchen-1",
         "verbteach teach --resume my-sessions/20260101-120000-abcdefgh",
+        "verbteach teach --study my-study/study.toml --sessions my-study/records",
     ),
+    "verbteach serve": (
+        "verbteach serve",
+        "verbteach serve --study my-study/study.toml --tokens tokens.txt --sessions records",
+        "verbteach serve --host 0.0.0.0 --port 8080 --tokens tokens.txt",
+    ),
+    "verbteach study": ("verbteach study new my-study",),
+    "verbteach study new": ("verbteach study new my-study",),
+    "verbteach study check": (
+        "verbteach study check my-study/study.toml",
+        "verbteach study check my-study/study.toml --json",
+    ),
+    "verbteach study status": ("verbteach study status my-study/study.toml --sessions records",),
+    "verbteach study answers": ("verbteach study answers --sessions records --out answers.csv",),
+    "verbteach study tokens": ("verbteach study tokens tokens.txt --count 40",),
     "verbteach replay": (
         "verbteach replay my-sessions/20260101-120000-abcdefgh",
         "verbteach replay my-sessions/20260101-120000-abcdefgh --speed 2",

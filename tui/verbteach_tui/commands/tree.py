@@ -17,11 +17,13 @@ from verbteach_tui.commands import (
     parse,
     replay,
     scenes,
+    serve,
     sessions,
     sessions_branch,
     sessions_corpus,
     sessions_export,
     sessions_people,
+    study,
     teach,
 )
 from verbteach_tui.commands.examples import epilog
@@ -36,6 +38,7 @@ COMMANDS: Mapping[str, Command] = {
     "replay": replay.replay,
     "parse": parse.parse,
     "evaluate": evaluate.evaluate,
+    "serve": serve.serve,
     "bench": bench.bench,
     "doctor": doctor.doctor,
 }
@@ -63,6 +66,16 @@ GROUPS: Mapping[str, tuple[str, Mapping[str, Command]]] = {
     "lessons": (
         "What the simulated teacher teaches.",
         {"list": lessons.list_lessons, "check": lessons.check},
+    ),
+    "study": (
+        "Studies with participants.",
+        {
+            "new": study.new,
+            "check": study.check,
+            "status": study.status,
+            "answers": study.answers,
+            "tokens": study.tokens,
+        },
     ),
     "benchmark": ("The Tell Me Dave corpus.", {"check": benchmark.check}),
 }

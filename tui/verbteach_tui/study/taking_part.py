@@ -30,8 +30,13 @@ def ways(
 
 def _run(beginning: Beginning, file: Path) -> StudyRun:
     from verbteach_tui.study.run import StudyRun
+    from verbteach_tui.web.visits import ticket_here
 
-    return StudyRun.open(file, replace(beginning, participant=None), beginning.participant)
+    run = StudyRun.open(file, replace(beginning, participant=None), beginning.participant)
+    ticket = ticket_here()
+    if ticket is not None:
+        run.consented = ticket.write
+    return run
 
 
 def _on_screen(run: StudyRun, theme: str | None, out: TextIO) -> int:
