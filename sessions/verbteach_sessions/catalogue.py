@@ -15,10 +15,11 @@ from verbteach_sessions import events as kinds
 from verbteach_sessions.errors import NotASessionError, UnsafeNameError
 from verbteach_sessions.eventlog import LOG_NAME
 from verbteach_sessions.files import open_regular
-from verbteach_sessions.lines import MAX_LINE, VERSION, LineError, parse
+from verbteach_sessions.lines import MAX_LINE, LineError, parse
 from verbteach_sessions.lock import in_use
 from verbteach_sessions.names import safe_name
 from verbteach_sessions.places import data_folder
+from verbteach_sessions.upcasting import VERSION
 
 SESSIONS_VARIABLE = "VERBTEACH_SESSIONS"
 _TAIL = 256 * 1024

@@ -25,7 +25,7 @@ from verbteach_sessions.space_pool import SpacePool
 from verbteach_sessions.state_codec import StateFormatError, state_from_plain, state_to_plain
 from verbteach_sessions.turn_rows import Rows, RowsFormatError
 
-CHECKPOINT_NAME = "checkpoints"
+CHECKPOINT_NAME = "checkpoints.cache"
 VERSION = 1
 EVERY = 64
 _TURNS = "turns"

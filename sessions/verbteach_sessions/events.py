@@ -102,6 +102,15 @@ CANDIDATE = Shape(
         Field("q", or_null(NUMBER), "its value under the policy, where that gives one"),
     ),
 )
+PARENT = Shape(
+    "parent",
+    "The session that this one branched from; its events up to the branch are this one's own.",
+    (
+        Field("id", TEXT, "its name"),
+        Field("seq", INTEGER, "the last event that both share"),
+        Field("hash", TEXT, "SHA-256 of that event's whole line in the parent"),
+    ),
+)
 DECISION = Shape(
     "decision",
     "One choice of the policy.",
@@ -185,6 +194,7 @@ SHAPES = (
     PRACTICE,
     REVISION,
     SOURCE,
+    PARENT,
     DECISION,
     CANDIDATE,
     BELIEFS,
@@ -236,6 +246,7 @@ _TYPES = (
                 optional=True,
             ),
             Field("source", or_null(of_shape(SOURCE)), "the session it goes on from"),
+            Field("parent", or_null(of_shape(PARENT)), "the session it branched from; since 2"),
             Field("learned_before", list_of(of_shape(RECORD)), "what that taught", content=True),
         ),
     ),

@@ -62,6 +62,15 @@ class Source:
 
 
 @dataclass(frozen=True)
+class Parent:
+    """Where a branch left another session: its name, the last shared event, that line's hash."""
+
+    id: str
+    seq: int
+    hash: str
+
+
+@dataclass(frozen=True)
 class Header:
     """A session's first event; make one with :meth:`new`."""
 
@@ -73,6 +82,7 @@ class Header:
     participant: str | None = None
     study: Mapping[str, Any] | None = None
     source: Source | None = None
+    parent: Parent | None = None
 
     def __post_init__(self) -> None:
         safe_name(self.id)
@@ -131,6 +141,7 @@ class Header:
             "scene": self.scene,
             **self.method.to_json(),
             "source": source and {"id": source.id, "content_hash": source.content_hash},
+            "parent": self.parent and dict(vars(self.parent)),
             "learned_before": [dict(record) for record in self.learned_before],
         }
 
@@ -149,6 +160,7 @@ class Header:
             data["participant"],
             data["study"],
             _source(data),
+            None if data["parent"] is None else Parent(**data["parent"]),
         )
 
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from verbteach_sessions.files import replace_file
-from verbteach_sessions.lines import VERSION, Event
+from verbteach_sessions.errors import NotASessionError
+from verbteach_sessions.files import open_regular, replace_file
+from verbteach_sessions.lines import MAX_LINE, Event, LineError, parse
+from verbteach_sessions.upcasting import STEPS, VERSION, upcast
 
 HEADER_NAME = "header.json"
+HEADER = "header"
 
 
 def header_bytes(header: Event) -> bytes:
@@ -23,10 +26,14 @@ def write_header(folder: Path, header: Event) -> None:
 
 
 def header_fits(folder: Path, header: Event) -> bool:
-    """Whether the file is there and says what the log says."""
-    path = folder / HEADER_NAME
-    expected = header_bytes(header)
+    """Whether the file is there and says what the log says, be it in an earlier version."""
     try:
-        return path.stat().st_size == len(expected) and path.read_bytes() == expected
-    except OSError:
+        with open_regular(folder / HEADER_NAME) as file:
+            value = parse(file.read(2 * MAX_LINE))
+    except (NotASessionError, LineError):
         return False
+    if not isinstance(value, dict):
+        return False
+    version = value.pop("v", None)
+    known = type(version) is int and (version == VERSION or version in STEPS)
+    return known and upcast(version, HEADER, value) == header.data

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import types
 from collections.abc import Mapping
-from dataclasses import fields, is_dataclass
+from dataclasses import MISSING, Field, fields, is_dataclass
 from enum import Enum
 from typing import Any, Union, get_args, get_origin, get_type_hints
 
@@ -73,9 +73,15 @@ def _dataclass(kind: Any, value: Any, path: str) -> Any:
     hints = get_type_hints(kind)
     names = [field.name for field in fields(kind)]
     given = _checked(dict, value, path)
-    if sorted(given) != sorted(names):
-        raise ParameterError(f"{path}: has the fields {sorted(given)}, should have {names}")
-    return kind(**{name: from_plain(hints[name], given[name], f"{path}.{name}") for name in names})
+    missing = {field.name for field in fields(kind) if _is_needed(field)}.difference(given)
+    if missing or not set(given) <= set(names):
+        raise ParameterError(f"{path}: has the fields {sorted(given)}, should have {names}"[:400])
+    return kind(**{name: from_plain(hints[name], given[name], f"{path}.{name}") for name in given})
+
+
+def _is_needed(field: Field[Any]) -> bool:
+    """A parameter that came in later is missing in older records, and has its default."""
+    return field.default is MISSING and field.default_factory is MISSING
 
 
 def _criterion(value: Any, path: str) -> Criterion:

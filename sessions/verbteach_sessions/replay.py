@@ -103,6 +103,15 @@ def replay(path: Path, settings: Settings, to: int | None = None) -> Iterator[Fr
             return
 
 
+def fold_of(reader: LogReader, settings: Settings, heard: Callable[[int], None]) -> Recomputing:
+    """A whole record recomputed, with the state after each turn. Raises as :func:`replay` does."""
+    past = Recomputing(settings)
+    for event in reader:
+        _take(reader, past, event)
+        heard(event.seq + 1)
+    return past
+
+
 def _take(reader: LogReader, past: Recomputing, event: Event) -> None:
     try:
         past.take(event)

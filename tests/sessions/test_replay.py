@@ -162,7 +162,7 @@ def test_other_versions_are_a_warning(path: Path) -> None:
 
 
 def test_a_newer_record_is_refused(path: Path) -> None:
-    (path / LOG_NAME).write_bytes(b'{"v":2}\n')
+    (path / LOG_NAME).write_bytes(b'{"v":3}\n')
     with pytest.raises(NewerLogError):
         verify(path, settings)
 

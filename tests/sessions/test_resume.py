@@ -181,7 +181,7 @@ def test_a_resumed_session_says_where_it_went_on(tmp_path: Path) -> None:
     [
         ("policy", {"name": "clairvoyant"}, "no policy 'clairvoyant'"),
         ("noise", {"spread": "much"}, "noise"),
-        ("parameters", {}, "parameters"),
+        ("parameters", {"rewards": {}, "luck": 7}, "parameters"),
         ("id", "../../etc", "no session name"),
         ("participant", "a/b", "no participant code"),
     ],

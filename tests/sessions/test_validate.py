@@ -159,7 +159,7 @@ def swapped(path: Path) -> None:
 
 def newer(path: Path) -> None:
     lines = raw_lines(path)
-    (path / LOG_NAME).write_bytes(b"".join([*lines[:6], b'{"v":2}\n']))
+    (path / LOG_NAME).write_bytes(b"".join([*lines[:6], b'{"v":3}\n']))
 
 
 def emptied(path: Path) -> None:

@@ -11,7 +11,7 @@ import typer
 
 from verbteach_tui.commands.parameters import JsonFlag, ScenesFolder, SessionArgument
 from verbteach_tui.commands.streams import counting, emit, note, progress, tell
-from verbteach_tui.conclusion import CHECK_FAILED
+from verbteach_tui.conclusion import CHECK_FAILED, WrongUseError
 
 LONGEST = 300  # characters of a differing value
 
@@ -29,15 +29,28 @@ def replay(
         typer.Option(min=0.0, metavar="X", help="1: as it was, 2: twice as fast, 0: at once."),
     ] = 0.0,
     plain: Annotated[bool, typer.Option("--plain", help="As lines (always, so far).")] = False,
+    policy: Annotated[
+        str | None,
+        typer.Option(
+            "--policy",
+            metavar="NAME",
+            help="Hold it again under this question policy, the record as the teacher.",
+        ),
+    ] = None,
     scenes: ScenesFolder = None,
     as_json: JsonFlag = False,
 ) -> None:
     """Tell a session again, or with --verify recompute it and compare.
 
     Exit status 1 where recomputing gives something else. A torn last line is a
-    warning.
+    warning. With --policy the robot asks as another policy would; what the
+    record holds no answer to is counted as unanswerable, never made up.
     """
-    if verify or as_json:
+    if policy is not None:
+        if verify or to is not None:
+            raise WrongUseError("--policy holds the whole session again: leave out --verify, --to")
+        _hold_again(session, policy, scenes, as_json)
+    elif verify or as_json:
         _verify(session, to, scenes, as_json, verify)
     else:
         _tell(session, to, scenes, speed)
@@ -74,6 +87,28 @@ def _verify(session: Path, to: int | None, scenes: Path | None, as_json: bool, a
         tell(f"  recomputed: {_short(found.first_difference.recomputed)}")
     if asked and not found.verified:
         raise typer.Exit(CHECK_FAILED)
+
+
+def _hold_again(session: Path, policy: str, scenes: Path | None, as_json: bool) -> None:
+    from verbteach_scenarios.nlp.second_opinion import if_installed
+    from verbteach_scenarios.settings import make_settings
+    from verbteach_sessions.counterfactual import counterfactual
+    from verbteach_tui.record import count_events
+
+    with progress() as show:
+        heard = counting(show, "events", count_events(session))
+        found = counterfactual(session, make_settings(scenes, if_installed()), policy, heard)
+    for warning in found.warnings:
+        note(f"warning: {warning}")
+    if as_json:
+        emit(found.to_json())
+        return
+    tell(f"under {policy}: {found.finished} of {found.commands} commands to their end")
+    tell(f"  turns {found.turns}, of which the record holds no answer to {found.unanswerable}")
+    tell(f"  questions {found.questions}, recorded {found.recorded_questions}")
+    tell(f"  reward {found.reward:g}, recorded {found.recorded_reward:g}")
+    if found.first_difference is not None:
+        tell(f"  event {found.first_difference.seq} is the first that differs")
 
 
 def _short(value: object) -> str:
