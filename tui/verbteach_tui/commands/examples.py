@@ -35,6 +35,7 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "verbteach replay my-sessions/20260101-120000-abcdefgh",
         "verbteach replay my-sessions/20260101-120000-abcdefgh --speed 2",
         "verbteach replay my-sessions/20260101-120000-abcdefgh --verify --json",
+        "verbteach replay my-sessions/20260101-120000-abcdefgh --policy split",
     ),
     "verbteach sessions": ("verbteach sessions list",),
     "verbteach sessions list": (
@@ -45,6 +46,9 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
     "verbteach sessions validate": (
         "verbteach sessions validate my-sessions",
         "verbteach sessions validate my-sessions/20260101-120000-abcdefgh --json",
+    ),
+    "verbteach sessions branch": (
+        "verbteach sessions branch my-sessions/20260101-120000-abcdefgh --at 12",
     ),
     "verbteach sessions export": (
         "verbteach sessions export my-sessions --to html --out pages",
