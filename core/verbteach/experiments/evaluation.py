@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, Protocol, TypeAlias, TypeVar
 
 from verbteach.experiments.figures import Figure, Observation, constant, figure
@@ -25,7 +25,7 @@ from verbteach.experiments.jobs import (
     test_all,
 )
 from verbteach.experiments.judging import Judge
-from verbteach.experiments.she16 import ORACLE, REGRESSION
+from verbteach.experiments.she16 import CRITERIA, ORACLE, REGRESSION
 from verbteach.experiments.sight import Sight, stream
 from verbteach.experiments.workroom import PlannerMaker, furnished
 from verbteach.verbs.criteria import PLAIN_CRITERIA, Criterion
@@ -69,42 +69,36 @@ class Grounds:
 Lessons: TypeAlias = dict[str, Lesson]
 """Lessons by instance."""
 
-Memory: TypeAlias = dict[str, Lessons]
-"""Lessons of earlier runs, by what they hang on."""
+
+def run_trials(grounds: Grounds, setup: Setup, run: int = 0, mapper: Mapper = map) -> list[Trial]:
+    """One run: the trials of all folds, by instance."""
+    criterion = setup.variant.criterion
+    return compare_criteria(grounds, setup, (criterion,), run, mapper)[criterion]
 
 
-def run_trials(
+def compare_criteria(
     grounds: Grounds,
     setup: Setup,
+    criteria: Sequence[str] = CRITERIA,
     run: int = 0,
     mapper: Mapper = map,
-    memory: Memory | None = None,
-) -> list[Trial]:
-    """One run: the trials of all folds, by instance.
+) -> dict[str, list[Trial]]:
+    """One run of learners that learn alike and differ in how they choose: trials by criterion.
 
-    What was learned is kept in ``memory``, for runs on the same grounds that
-    learn alike and differ in how they choose.
+    The same as ``run_trials`` with each ``setup.variant.criterion``, at about
+    the price of one: demonstrations are learned from once, and candidate goals
+    gathered once.
     """
     sight = Sight.of(setup.noise, grounds.instances, setup.seed, run)
     site = Site(setup, sight, grounds.tasks, grounds.planner)
-    memory = {} if memory is None else memory
-    key = _hangs_on(setup, run)
-    if key not in memory:
-        memory[key] = _learned(grounds, site, mapper)
-    lessons = memory[key]
-    criteria = _criteria(grounds, site, lessons, mapper)
+    lessons = _learned(grounds, site, mapper)
+    chosen = _criteria(grounds, site, lessons, criteria, mapper)
     jobs = [
-        (site.only(fold.test), fold.test, [lessons[i.id] for i in fold.train], criterion)
-        for fold, criterion in zip(grounds.folds, criteria, strict=True)
+        (site.only(fold.test), fold.test, [lessons[i.id] for i in fold.train], own)
+        for fold, own in zip(grounds.folds, chosen, strict=True)
     ]
-    return sorted(trial for trials in mapper(test_all, jobs) for trial in trials)
-
-
-def _hangs_on(setup: Setup, run: int) -> str:
-    """What a demonstration's lesson hangs on: the draw of the noise, and how it is learned from."""
-    variant = setup.variant
-    grounding = (setup.grounding, setup.grounder)
-    return repr((variant.learning, variant.reenacts, setup.noise, setup.seed, run, grounding))
+    found = list(mapper(test_all, jobs))
+    return {name: sorted(trial for one in found for trial in one[name]) for name in criteria}
 
 
 def _learned(grounds: Grounds, site: Site, mapper: Mapper) -> Lessons:
@@ -114,17 +108,24 @@ def _learned(grounds: Grounds, site: Site, mapper: Mapper) -> Lessons:
 
 
 def _criteria(
-    grounds: Grounds, site: Site, lessons: Mapping[str, Lesson], mapper: Mapper
-) -> list[Criterion | None]:
-    """Each fold's criterion; the regression is fitted to what the fold may learn from."""
-    name = site.setup.variant.criterion
-    if name == ORACLE:
-        return [None] * len(grounds.folds)
-    if name != REGRESSION:
-        return [PLAIN_CRITERIA[name]] * len(grounds.folds)
+    grounds: Grounds,
+    site: Site,
+    lessons: Mapping[str, Lesson],
+    names: Sequence[str],
+    mapper: Mapper,
+) -> list[dict[str, Criterion | None]]:
+    """Each fold's criteria; the regression is fitted to what the fold may learn from."""
+    alike: dict[str, Criterion | None] = {
+        name: PLAIN_CRITERIA.get(name) for name in names if name != REGRESSION
+    }
+    if REGRESSION not in names:
+        return [alike] * len(grounds.folds)
     development = _developed(grounds, site, lessons, mapper)
-    jobs = [(_within(development, fold), site.setup) for fold in grounds.folds]
-    return list(mapper(_fitted, jobs))
+    fitting = site.setup.variant.fitting
+    return [
+        {**alike, REGRESSION: fit(list(_within(development, fold).values()), fitting)}
+        for fold in grounds.folds
+    ]
 
 
 def _developed(
@@ -149,11 +150,6 @@ def _within(development: Development, fold: Fold) -> Development:
         for name in sorted(development)
         if name in known
     }
-
-
-def _fitted(job: tuple[Development, Setup]) -> Criterion:
-    development, setup = job
-    return fit(list(development.values()), setup.variant.fitting)
 
 
 def _by_environment(instances: Sequence[Instance]) -> dict[str, list[Instance]]:
@@ -213,7 +209,6 @@ def evaluate(
     *,
     ceilings: bool = True,
     resample: int = 2000,
-    memory: Memory | None = None,
 ) -> dict[str, Any]:
     """Evaluate a learner; the JSON document of ``verbteach evaluate``.
 
@@ -221,8 +216,10 @@ def evaluate(
     chose the best of its candidate goals (``oracle_selection``), and what
     planning to the demonstrated change comes to (``oracle_goal``).
     """
-    memory = {} if memory is None else memory
-    trials = [run_trials(grounds, setup, run, mapper, memory) for run in range(runs)]
+    own = setup.variant.criterion
+    criteria = tuple(dict.fromkeys([own, ORACLE] if ceilings else [own]))
+    found = [compare_criteria(grounds, setup, criteria, run, mapper) for run in range(runs)]
+    trials = [one[own] for one in found]
     document = {
         "policy": setup.variant.name,
         "criterion": setup.variant.criterion,
@@ -235,8 +232,7 @@ def evaluate(
         "instances": len(trials[0]),
     }
     if ceilings:
-        best = replace(setup, variant=replace(setup.variant, criterion=ORACLE))
-        oracle = [run_trials(grounds, best, run, mapper, memory) for run in range(runs)]
+        oracle = [one[ORACLE] for one in found]
         goal = [ceiling_trials(grounds)] * runs
         document["ceilings"] = {
             "oracle_selection": scores(oracle, setup.seed, resample).to_json(),

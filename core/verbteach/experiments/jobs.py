@@ -6,18 +6,21 @@ any process.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import gc
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
 from verbteach.experiments.groundings import GROUNDERS, Grounder, shown
 from verbteach.experiments.judging import Judge, Score
-from verbteach.experiments.she16 import ORACLE, Variant
+from verbteach.experiments.she16 import Variant
 from verbteach.experiments.sight import Sight
 from verbteach.experiments.workroom import PlannerMaker, Workroom, furnished
 from verbteach.perception.noise import NoiseModel
 from verbteach.verbs.application import Evidence, GroundingBelief, Situation, evidence
-from verbteach.verbs.criteria import MOST_FREQUENT, Criterion, Oracle
+from verbteach.verbs.criteria import MOST_FREQUENT, Criterion
 from verbteach.verbs.features import votes
 from verbteach.verbs.hypothesis import Learner, NoHypothesis, Shown
 from verbteach.verbs.instance import Instance
@@ -27,7 +30,7 @@ from verbteach.verbs.regression import Judged
 from verbteach.verbs.selection import ranked, select
 from verbteach.verbs.space import Demonstration, FrameKey, HypothesisSpace
 from verbteach.world.fluents import Goal, State
-from verbteach.world.plan import Plan
+from verbteach.world.plan import Action, Plan
 from verbteach.world.task import Task
 
 
@@ -101,7 +104,9 @@ class Trial(NamedTuple):
 
 LearnJob: TypeAlias = tuple[Site, Sequence[Instance]]
 DevelopJob: TypeAlias = tuple[Site, Sequence[Instance], Sequence[Lesson]]
-TestJob: TypeAlias = tuple[Site, Sequence[Instance], Sequence[Lesson], Criterion | None]
+Criteria: TypeAlias = Mapping[str, Criterion | None]
+"""Criteria to choose by, by name; None stands for the answer itself."""
+TestJob: TypeAlias = tuple[Site, Sequence[Instance], Sequence[Lesson], Criteria]
 Development: TypeAlias = dict[str, list[Judged]]
 """Judged votes by development instance."""
 
@@ -109,21 +114,42 @@ Development: TypeAlias = dict[str, list[Judged]]
 def learn_all(job: LearnJob) -> list[Lesson]:
     """The lessons of some instances."""
     site, instances = job
-    return [_lesson(site, instance) for instance in instances]
+    with _uncollected():
+        return [_lesson(site, instance) for instance in instances]
 
 
 def develop_all(job: DevelopJob) -> Development:
     """Judge what the lessons' votes for some instances' commands come to."""
     site, instances, lessons = job
-    knowledge, experience = _remembered(lessons)
-    return {i.id: _judged(site, i, knowledge, experience) for i in instances}
+    with _uncollected():
+        knowledge, experience = _remembered(lessons)
+        return {i.id: _judged(site, i, knowledge, experience) for i in instances}
 
 
-def test_all(job: TestJob) -> list[Trial]:
-    """Carry out some instances' commands; without a criterion the answer itself chooses."""
-    site, instances, lessons, criterion = job
-    knowledge, experience = _remembered(lessons)
-    return [_trial(site, i, knowledge, experience, criterion) for i in instances]
+def test_all(job: TestJob) -> dict[str, list[Trial]]:
+    """Carry out some instances' commands, by each criterion: goals are gathered once for all."""
+    site, instances, lessons, criteria = job
+    found: dict[str, list[Trial]] = {name: [] for name in criteria}
+    with _uncollected():
+        knowledge, experience = _remembered(lessons)
+        for instance in instances:
+            state, gathered = _gathered(site, instance, knowledge, experience)
+            test = _Test(site, instance, state, gathered)
+            for name, criterion in criteria.items():
+                found[name].append(test.trial(criterion))
+    return found
+
+
+@contextmanager
+def _uncollected() -> Iterator[None]:
+    """Without searching for rings of garbage: millions of small values are made, none in a ring."""
+    collecting = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if collecting:
+            gc.enable()
 
 
 def _remembered(lessons: Sequence[Lesson]) -> tuple[VerbKnowledge, tuple[Demonstration, ...]]:
@@ -177,7 +203,7 @@ def _judged(
     state, gathered = _gathered(site, instance, knowledge, experience)
     judge = Judge(instance, room)
     found = []
-    for candidate in ranked(gathered, MOST_FREQUENT)[: site.setup.judged_goals]:
+    for candidate in ranked(gathered, MOST_FREQUENT, site.setup.judged_goals):
         reward = _worth(room, judge, state, candidate.goal)
         if reward is not None:
             found += [Judged(vote, reward) for vote in votes(candidate.evidence)]
@@ -189,31 +215,58 @@ def _worth(room: Workroom, judge: Judge, state: State, goal: Goal) -> float | No
     answer = room.planner.plan(state, goal)
     if not isinstance(answer, Plan) or not answer.actions:
         return None
-    return judge.score(answer.actions).sji
+    return judge.sji(answer.actions)
 
 
-def _trial(
-    site: Site,
-    instance: Instance,
-    knowledge: VerbKnowledge,
-    experience: Sequence[Demonstration],
-    criterion: Criterion | None,
-) -> Trial:
-    room, parameters = site.room(instance), site.setup.variant.selection
-    judge = Judge(instance, room)
-    state, gathered = _gathered(site, instance, knowledge, experience)
-    if site.setup.variant.criterion == ORACLE:
-        criterion = Oracle(lambda goal: _worth(room, judge, state, goal) or 0.0)
-        parameters = replace(parameters, planned=1)
-    assert criterion is not None, "only the oracle needs none"
-    chosen = select(ranked(gathered, criterion), state, room.planner, parameters)
-    plan = () if chosen is None else chosen.plan.actions
-    return Trial(
-        instance.id,
-        instance.group,
-        instance.environment,
-        instance.verb,
-        judge.score(plan),
-        len(gathered),
-        tuple(map(str, plan)),
-    )
+@dataclass(frozen=True)
+class _Test:
+    """A test command with the goals that it may mean, to be chosen from by any criterion."""
+
+    site: Site
+    instance: Instance
+    state: State
+    gathered: tuple[Evidence, ...]
+
+    @cached_property
+    def _judge(self) -> Judge:
+        return Judge(self.instance, self.site.room(self.instance))
+
+    def trial(self, criterion: Criterion | None) -> Trial:
+        """How the plan does that the criterion chooses; without one the answer itself does."""
+        plan = self._best() if criterion is None else self._chosen(criterion)
+        return Trial(
+            self.instance.id,
+            self.instance.group,
+            self.instance.environment,
+            self.instance.verb,
+            self._judge.score(plan),
+            len(self.gathered),
+            tuple(map(str, plan)),
+        )
+
+    def _chosen(self, criterion: Criterion) -> tuple[Action, ...]:
+        parameters = self.site.setup.variant.selection
+        wanted = ranked(self.gathered, criterion, parameters.planned)
+        chosen = select(wanted, self.state, self._judge.room.planner, parameters)
+        return () if chosen is None else chosen.plan.actions
+
+    def _best(self) -> tuple[Action, ...]:
+        """The plan of the first goal that comes to the best SJI.
+
+        Where the robot sees truly a plan brings about all of its goal, and goals
+        that could not come to more than the best so far need no plan.
+        """
+        judge, planner = self._judge, self._judge.room.planner
+        sees = self.state == self.instance.start
+        bounds = [judge.most(one.goal) if sees else 1.0 for one in self.gathered]
+        best, at = 0.0, len(bounds)
+        plan: tuple[Action, ...] = ()
+        for index in sorted(range(len(bounds)), key=lambda i: (-bounds[i], i)):
+            if (bounds[index], -index) <= (best, -at):
+                break
+            answer = planner.plan(self.state, self.gathered[index].goal)
+            actions = answer.actions if isinstance(answer, Plan) else ()
+            worth = judge.sji(actions)
+            if worth > 0 and (worth, -index) > (best, -at):
+                best, at, plan = worth, index, actions
+        return plan

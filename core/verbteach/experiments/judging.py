@@ -47,10 +47,18 @@ class Judge:
         if not actions:
             return Score()
         if actions not in self._judged:
-            end = self.room.outcome(self.instance.start, actions)
-            changed = StateChange.between(self.instance.start, end, self.room.setting.static)
-            self._judged[actions] = Score(ied(self.gold, actions), sji(self.change, changed))
+            self._judged[actions] = Score(ied(self.gold, actions), self.sji(actions))
         return self._judged[actions]
+
+    def sji(self, plan: Sequence[Action]) -> float:
+        """The SJI alone: what the plan really changed, against the gold."""
+        return sji(self.change, self.room.changed(self.instance.start, plan)) if plan else 0.0
+
+    def most(self, goal: Goal) -> float:
+        """The best SJI that bringing the goal about could come to: what is not gold counts."""
+        gold, start = self.change.literals, self.instance.start
+        needless = sum(not literal.holds(start) and literal not in gold for literal in goal)
+        return len(gold) / (len(gold) + needless) if gold else 0.0
 
     def of_goal(self, goal: Goal) -> Score | None:
         """What planning to the goal from the true start comes to; None without a plan."""

@@ -6,10 +6,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from verbteach.verbs.change import StateChange
 from verbteach.verbs.setting import Setting
 from verbteach.world.fluents import Fluent, State
 from verbteach.world.plan import Action, Planner
-from verbteach.world.simulator import applicable, apply, run
 from verbteach.world.task import Task
 
 
@@ -28,7 +28,21 @@ class Workroom:
 
     def outcome(self, state: State, actions: Sequence[Action]) -> State:
         """Where the actions lead, up to the first that cannot be done."""
-        return run(self.task, state, actions)[-1]
+        return self._with(state, self._after(self.task.encode(state), actions))
+
+    def changed(self, state: State, actions: Sequence[Action]) -> StateChange:
+        """What carrying the actions out changes, up to the first that cannot be done."""
+        bits = self.task.encode(state)
+        after, named = self._after(bits, actions), self.task.named
+        return StateChange(frozenset(named(after & ~bits)), frozenset(named(bits & ~after)))
+
+    def _after(self, bits: int, actions: Sequence[Action]) -> int:
+        for action in actions:
+            ground = self.task.action(action)
+            if ground is None or not ground.applicable(bits):
+                break
+            bits = ground.result(bits)
+        return bits
 
     def reenact(self, state: State, actions: Sequence[Action]) -> tuple[State, State]:
         """Carry demonstrated actions out in the mind: the start, mended, and the end.
@@ -59,8 +73,11 @@ class Workroom:
 
     def one_step_away(self, state: State) -> frozenset[Fluent]:
         """What some action that can be done in ``state`` would make true."""
-        after = (apply(self.task, state, action) for action in applicable(self.task, state))
-        return frozenset(fluent for one in after for fluent in one - state)
+        bits, reached = self.task.encode(state), 0
+        for ground in self.task.actions:
+            if ground.applicable(bits):
+                reached |= ground.changes(bits)[0]
+        return frozenset(self.task.named(reached & ~bits))
 
 
 Workrooms: TypeAlias = Mapping[str, Workroom]

@@ -15,14 +15,7 @@ from itertools import combinations, islice, product
 from typing import NamedTuple, TypeAlias
 
 from verbteach.verbs.knowledge import Bindings, FrameSpace, HypothesisNode, Use, VerbKnowledge
-from verbteach.verbs.lifting import (
-    Binding,
-    Lifted,
-    affordances_of,
-    bind,
-    terms_of,
-    variables_of,
-)
+from verbteach.verbs.lifting import Binding, Lifted, affordances_of, mould_of, terms_of
 from verbteach.verbs.setting import Setting
 from verbteach.verbs.space import Demonstration, FrameKey
 from verbteach.world.fluents import Goal, Literal, State
@@ -41,6 +34,11 @@ class Situation:
     groundings: GroundingBelief
     state: State
     setting: Setting
+
+    @cached_property
+    def likenesses(self) -> dict[tuple[tuple[str | None, ...], Objects], tuple[float, float]]:
+        """Room to remember how like arguments are to a demonstration's objects (``features``)."""
+        return {}
 
     @cached_property
     def marginals(self) -> tuple[Mapping[str, float], ...]:
@@ -154,12 +152,14 @@ def evidence(
     parameters = parameters or ApplicationParameters()
     belief = likeliest(situation.groundings, parameters.groundings)
     things = _Things(situation.setting, parameters.replace_missing)
+    arguments: dict[int, _Arguments] = {}
     found: dict[Goal, list[Support]] = defaultdict(list)
     for frame in _frames(knowledge, situation.frame, parameters):
-        arguments = _Arguments(frame, belief)
+        arity = frame.key.arity
+        fitting = arguments.setdefault(arity, _Arguments(arity, belief))
         for node in frame.nodes.values():
             bindings = node.least if parameters.least_only else node.bindings
-            for goal, support in _supports(frame, node, bindings, arguments, things):
+            for goal, support in _supports(frame, node, bindings, fitting, things):
                 found[goal].append(support)
     return tuple(Evidence(goal, tuple(s), situation) for goal, s in found.items())
 
@@ -184,24 +184,14 @@ def _supports(
     arguments: _Arguments,
     things: _Things,
 ) -> Iterator[tuple[Goal, Support]]:
-    needed = variables_of(node.literals)
+    mould = mould_of(node.literals)
     for binding, uses in bindings:
         for used, share, replaced in things.choices(node.literals, binding):
-            for alike, chosen in arguments.choices(needed, uses):
-                goal = bind(node.literals, chosen.arguments, used)
+            for alike, (chosen, grounding, probability) in arguments.choices(mould.variables, uses):
+                goal = mould.filled(chosen, used)
                 if goal is not None:
-                    yield (
-                        goal,
-                        Support(
-                            frame,
-                            node,
-                            alike,
-                            chosen.arguments,
-                            chosen.grounding,
-                            chosen.probability * share,
-                            replaced,
-                        ),
-                    )
+                    weight = probability * share
+                    yield goal, Support(frame, node, alike, chosen, grounding, weight, replaced)
 
 
 class _Chosen(NamedTuple):
@@ -211,28 +201,32 @@ class _Chosen(NamedTuple):
 
 
 class _Arguments:
-    """The new objects as arguments of a frame, this command's own or one of another arity."""
+    """The new objects as arguments of frames of one arity, the command's own or another."""
 
-    def __init__(self, frame: FrameSpace, belief: GroundingBelief) -> None:
-        self._arity = frame.key.arity
+    def __init__(self, arity: int, belief: GroundingBelief) -> None:
+        self._arity = arity
         self._belief = belief
         self._fewer = bool(belief) and self._arity > len(belief[0][0])
         self._known: dict[tuple[frozenset[int], Objects], tuple[_Chosen, ...]] = {}
 
     def choices(
         self, needed: frozenset[int], uses: tuple[Use, ...]
-    ) -> Iterator[tuple[tuple[Use, ...], _Chosen]]:
+    ) -> list[tuple[tuple[Use, ...], _Chosen]]:
         """Arguments for the variables that are needed, with the uses that may have them.
 
         Where the command has fewer objects than the frame, the left-over ones
         are each demonstration's own.
         """
+        if not self._fewer:
+            return [(uses, chosen) for chosen in self._chosen(needed, ())]
         by_old: dict[Objects, list[Use]] = {}
-        for use in uses if self._fewer else ():
+        for use in uses:
             by_old.setdefault(use.demonstration.grounding, []).append(use)
-        for old, own in by_old.items() if self._fewer else [((), uses)]:
-            for chosen in self._chosen(needed, old):
-                yield tuple(own), chosen
+        return [
+            (tuple(own), chosen)
+            for old, own in by_old.items()
+            for chosen in self._chosen(needed, old)
+        ]
 
     def _chosen(self, needed: frozenset[int], old: Objects) -> tuple[_Chosen, ...]:
         """Arguments with their probability; equal ones are one."""

@@ -94,12 +94,22 @@ def _objects(situation: Situation, support: Support, use: Use) -> tuple[float, f
     Of an argument that the hypothesis does not speak of, the belief's mean.
     """
     old = use.demonstration.grounding
+    key = support.arguments, old
+    known = situation.likenesses.get(key)
+    if known is None:
+        known = situation.likenesses[key] = _compared(situation, *key)
+    return known
+
+
+def _compared(
+    situation: Situation, arguments: tuple[str | None, ...], old: tuple[str, ...]
+) -> tuple[float, float]:
     longer = max(len(old), len(situation.phrases))
     if not longer:
         return 1.0, 1.0
     same = alike = 0.0
     own_frame = len(old) == len(situation.phrases)
-    for index, (thing, before) in enumerate(zip(support.arguments, old, strict=True)):
+    for index, (thing, before) in enumerate(zip(arguments, old, strict=True)):
         if thing is not None:
             belief: Mapping[str, float] = {thing: 1.0}
         else:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
-from typing import TypeAlias
+from typing import NamedTuple, TypeAlias, cast
 
 from verbteach.verbs.setting import Setting
 from verbteach.world.fluents import Fluent, Goal, Literal
@@ -88,17 +88,69 @@ def lift(goal: Goal, grounding: Sequence[str], setting: Setting) -> tuple[Lifted
     return hypothesis, tuple(stands_for[term] for term in sorted(stands_for))
 
 
+class Mould(NamedTuple):
+    """A hypothesis ready to be filled: each literal with the places of its words.
+
+    Places count through the things that fill abstract terms, then ``constants``,
+    then the arguments; ``variables`` are the arguments needed. ``mixed``: a
+    fluent must hold and one of the same predicate must not, so that the two
+    might come to be one.
+    """
+
+    literals: tuple[tuple[str, tuple[int, ...], bool], ...]
+    terms: int
+    constants: tuple[str, ...]
+    variables: frozenset[int]
+    mixed: bool
+
+    def filled(self, arguments: Sequence[str | None], binding: Binding) -> Goal | None:
+        """See ``bind``."""
+        if any(i >= len(arguments) or arguments[i] is None for i in self.variables):
+            return None
+        if len(binding) != self.terms:
+            raise ValueError(f"{len(binding)} things for {self.terms} abstract terms")
+        words = cast(tuple[str, ...], (*binding, *self.constants, *arguments))
+        goal = frozenset(
+            [
+                Literal(Fluent(predicate, tuple([words[i] for i in places])), positive)
+                for predicate, places, positive in self.literals
+            ]
+        )
+        if self.mixed and len({literal.fluent for literal in goal}) < len(goal):
+            return None
+        return goal
+
+
+@lru_cache(maxsize=65_536)
+def mould_of(hypothesis: Lifted) -> Mould:
+    """The hypothesis, prepared for being bound many times."""
+    words = {word for literal in hypothesis for word in literal.fluent.args}
+    terms = terms_of(hypothesis)
+    constants = tuple(sorted(w for w in words if not is_abstract(w) and not is_variable(w)))
+    place = {word: index for index, word in enumerate((*terms, *constants))}
+    variables = variables_of(hypothesis)
+    before = len(place)
+    place.update({variable(index): before + index for index in sorted(variables)})
+    predicates = [
+        {fluent.predicate for fluent, positive in hypothesis if positive is wanted}
+        for wanted in (True, False)
+    ]
+    return Mould(
+        tuple((f.predicate, tuple(place[w] for w in f.args), p) for f, p in hypothesis),
+        len(terms),
+        constants,
+        variables,
+        bool(predicates[0] & predicates[1]),
+    )
+
+
 def bind(hypothesis: Lifted, arguments: Sequence[str | None], binding: Binding) -> Goal | None:
     """The goal for new arguments and things; None if it contradicts itself or lacks an argument.
 
-    An argument may be None where the hypothesis does not speak of it.
+    An argument may be None where the hypothesis does not speak of it. Raises
+    ``ValueError`` unless there is one thing for each abstract term.
     """
-    if any(i >= len(arguments) or arguments[i] is None for i in variables_of(hypothesis)):
-        return None
-    names = {variable(i): thing for i, thing in enumerate(arguments) if thing is not None}
-    names.update(zip(terms_of(hypothesis), binding, strict=True))
-    goal = frozenset(rename(hypothesis, names))
-    return goal if len({literal.fluent for literal in goal}) == len(goal) else None
+    return mould_of(hypothesis).filled(arguments, binding)
 
 
 def _number(order: Sequence[str], labels: Mapping[str, str]) -> dict[str, str]:

@@ -10,9 +10,10 @@ the others. Each command weighs the same, however many goals it has.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import exp
+from operator import mul
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -113,4 +114,5 @@ class _Development:
 
 
 def _dot(weights: tuple[float, ...], features: tuple[float, ...]) -> float:
-    return sum(weight * value for weight, value in zip(weights, features, strict=True))
+    products: Iterable[float] = map(mul, weights, features)
+    return sum(products)

@@ -96,12 +96,17 @@ def candidates(
     return ranked(evidence(knowledge, situation, parameters.application), parameters.criterion)
 
 
-def ranked(gathered: Sequence[Evidence], criterion: Criterion) -> tuple[GoalCandidate, ...]:
-    """Score gathered evidence and sort it; among equals the order stays."""
+def ranked(
+    gathered: Sequence[Evidence], criterion: Criterion, most: int | None = None
+) -> tuple[GoalCandidate, ...]:
+    """Score gathered evidence and sort it; among equals the order stays.
+
+    Of more than ``most`` candidates the rest is left out.
+    """
     scored = [(criterion.score(one), one) for one in gathered]
     wanted = sorted((row for row in scored if row[0] > 0), key=lambda row: -row[0])
     total = sum(score for score, _ in wanted)
-    return tuple(_candidate(one, score, score / total) for score, one in wanted)
+    return tuple(_candidate(one, score, score / total) for score, one in wanted[:most])
 
 
 def select(
