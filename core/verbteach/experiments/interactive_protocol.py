@@ -11,7 +11,7 @@ policy meets the same noise.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
@@ -24,11 +24,13 @@ from verbteach.experiments.instance_split import InstanceSplit
 from verbteach.experiments.interactive import Carried, Dialogue, asked_on, carry_out, hold
 from verbteach.experiments.interactive_bench import Bench
 from verbteach.experiments.interactive_training import (
+    Heard,
     Practice,
     Remembering,
     Trained,
     TrainingParameters,
     train,
+    unheard,
 )
 from verbteach.experiments.sight import Sight, stream
 from verbteach.experiments.simulated_human import HumanParameters, SimulatedHuman
@@ -139,9 +141,16 @@ class Policies:
     execution: AskingPolicy
 
 
-def run(bench: Bench, config: Config, policies: Policies | None = None) -> Result:
-    """Carry out one configuration; with ``policies`` none is trained, and those are tested."""
-    return _Run(bench, config, policies).result()
+def run(
+    bench: Bench, config: Config, policies: Policies | None = None, heard: Heard = unheard
+) -> Result:
+    """Carry out one configuration; with ``policies`` none is trained, and those are tested.
+
+    ``heard`` is told of each dialogue: in the stages ``learning`` and
+    ``execution`` its return, in ``lessons`` 1 for a goal judged right, in
+    ``tests`` the SJI.
+    """
+    return _Run(bench, config, policies, heard).result()
 
 
 @dataclass(frozen=True)
@@ -153,21 +162,29 @@ class Learned:
     taught: tuple[Taught, ...]
 
 
-def learn(bench: Bench, configs: Sequence[Config]) -> Learned:
+def learn(bench: Bench, configs: Sequence[Config], heard: Heard = unheard) -> Learned:
     """Train both policies on every instance of the bench, as each configuration has it.
 
     Configurations differ in noise, so that one policy meets every level; the
     first one's training parameters and seed hold. A command is practised
     without examples from its own environment. Raises ``ValueError`` where
-    there is nothing to practise on.
+    there is nothing to practise on. ``heard`` as in :func:`run`.
     """
-    runs = [_Run(bench, config) for config in configs]
+    runs = [_Run(bench, config, None, heard) for config in configs]
     first = runs[0]
     shown = [practice for one in runs for practice in one.demonstrations()]
-    learning = train(shown, LEARNING, first.config.training, first.draws("learning"))
+    learning = train(
+        shown, LEARNING, first.config.training, first.draws("learning"), first.told("learning")
+    )
     policy = LinearPolicy(learning.weights)
     commanded = [practice for one in runs for practice in one.commands(policy)]
-    execution = train(commanded, EXECUTION, first.config.training, first.draws("execution"))
+    execution = train(
+        commanded,
+        EXECUTION,
+        first.config.training,
+        first.draws("execution"),
+        first.told("execution"),
+    )
     return Learned(learning, execution, tuple(taught for one in runs for taught in one.taught))
 
 
@@ -176,8 +193,15 @@ class _Acquired(dict[str, Example]):
 
 
 class _Run:
-    def __init__(self, bench: Bench, config: Config, policies: Policies | None = None) -> None:
+    def __init__(
+        self,
+        bench: Bench,
+        config: Config,
+        policies: Policies | None = None,
+        heard: Heard = unheard,
+    ) -> None:
         self.bench = bench
+        self.heard = heard
         self.config = config
         self.policies = policies
         noise = NoiseModel.named(config.noise, config.reading)
@@ -203,6 +227,11 @@ class _Run:
         )
         checkpoints = (Checkpoint(n, _sorted(rows)) for n, rows in self.checkpoints.items())
         return Result(tested, taught, self.weights, tuple(checkpoints))
+
+    def told(self, stage: str) -> Callable[[int, float], None]:
+        """What a training tells of its dialogues, told on."""
+        total = self.config.training.dialogues
+        return lambda done, figure: self.heard(stage, done, total, figure)
 
     def demonstrations(self) -> list[Practice[LearningInquiry]]:
         """Every demonstration as a situation to practise on."""
@@ -248,7 +277,10 @@ class _Run:
         for environment in self._wanted(group):
             own = [i for i in self.bench.instances if i.environment == environment]
             memory = self._memory(acquired, {environment})
-            yield from [self._test(i, memory, execution, self.config.trace) for i in own]
+            for number, instance in enumerate(own, start=1):
+                tested_now = self._test(instance, memory, execution, self.config.trace)
+                self.heard("tests", number, len(own), tested_now.sji)
+                yield tested_now
             for share in self.config.checkpoints:
                 lessons = self.split.lessons(share)
                 memory = self._memory(acquired, {environment}, lessons)
@@ -262,7 +294,7 @@ class _Run:
             return _rule(self.config)
         situations = [self._demonstration_practice(i) for i in practice]
         rng = self.draws("learning", name)
-        trained = train(situations, LEARNING, self.config.training, rng)
+        trained = train(situations, LEARNING, self.config.training, rng, self.told("learning"))
         return self._keep("learning " + name, trained.weights)
 
     def _execution_policy(
@@ -282,7 +314,7 @@ class _Run:
         }
         situations = [self._command_practice(i, memories[i.environment]) for i in practice]
         rng = self.draws("execution", name)
-        trained = train(situations, EXECUTION, self.config.training, rng)
+        trained = train(situations, EXECUTION, self.config.training, rng, self.told("execution"))
         return self._keep("execution " + name, trained.weights)
 
     def _keep(self, name: str, weights: Weights) -> LinearPolicy:
@@ -310,7 +342,7 @@ class _Run:
         acquired = _Acquired()
         questions: Counter[str] = Counter()
         right = 0
-        for instance in self.lessons:
+        for number, instance in enumerate(self.lessons, start=1):
             human = self._human(instance)
             start = self.bench.demonstration(instance, self.sight)
             rng = self.draws("acquire", instance.id)
@@ -321,6 +353,7 @@ class _Run:
                 right += good
                 if good or self.config.keep_wrong:
                     acquired[instance.id] = self._example(instance, held.state)
+            self.heard("lessons", number, len(self.lessons), float(instance.id in acquired))
         self.taught.append(Taught(len(self.lessons), right, questions))
         return acquired
 

@@ -98,13 +98,25 @@ class Trained:
     covariance: tuple[tuple[float, ...], ...] | None = None
 
 
+Heard = Callable[[str, int, int, float], None]
+"""Told how an experiment goes: the stage, how much of how much is done, and the last figure."""
+
+
+def unheard(stage: str, done: int, total: int, figure: float) -> None:
+    """Tell nobody."""
+
+
 def train(
     practice: Sequence[Practice[Phase]],
     space: FeatureSpace,
     parameters: TrainingParameters,
     rng: np.random.Generator,
+    heard: Callable[[int, float], None] | None = None,
 ) -> Trained:
-    """Hold dialogues and learn. Raises ``ValueError`` where there is nothing to practise on."""
+    """Hold dialogues and learn. Raises ``ValueError`` where there is nothing to practise on.
+
+    ``heard`` is told the number and the return of each dialogue; nothing hangs on it.
+    """
     if not practice:
         raise ValueError("there is nothing to practise on")
     size = len(space.names)
@@ -127,6 +139,8 @@ def train(
             log.append(step)
         returns.append(sum(turn.reward for turn in dialogue.turns))
         questions.append(dialogue.asked)
+        if heard is not None:
+            heard(number + 1, returns[-1])
     values = learner.weights
     if parameters.learner == "lspi":
         levels = len(practice) if parameters.levels else 0

@@ -13,7 +13,13 @@ import numpy as np
 
 from verbteach.experiments.interactive_bench import Bench
 from verbteach.experiments.interactive_protocol import Config, Learned, learn
-from verbteach.experiments.interactive_training import LEARNERS, Trained, TrainingParameters
+from verbteach.experiments.interactive_training import (
+    LEARNERS,
+    Heard,
+    Trained,
+    TrainingParameters,
+    unheard,
+)
 from verbteach.policy.weights_file import Matrix, PolicyWeights
 
 LEARNER_NAMES: tuple[str, ...] = (*LEARNERS, "lspi")
@@ -37,12 +43,15 @@ class Schooling:
         return [replace(base, noise=noise) for noise in self.noises]
 
 
-def train_policies(bench: Bench, schooling: Schooling, source: str) -> PolicyWeights:
+def train_policies(
+    bench: Bench, schooling: Schooling, source: str, heard: Heard = unheard
+) -> PolicyWeights:
     """Train both policies on the bench; ``source`` says what is on it.
 
-    Raises ``ValueError`` where there is nothing to practise on.
+    Raises ``ValueError`` where there is nothing to practise on. ``heard`` as in
+    ``interactive_protocol.run``.
     """
-    learned = learn(bench, schooling.configs())
+    learned = learn(bench, schooling.configs(), heard)
     both = {"execution": learned.execution, "learning": learned.learning}
     return PolicyWeights(
         execution=learned.execution.weights,
