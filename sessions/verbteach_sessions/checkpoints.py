@@ -28,6 +28,7 @@ from verbteach_sessions.turn_rows import Rows, RowsFormatError
 CHECKPOINT_NAME = "checkpoints.cache"
 VERSION = 1
 EVERY = 64
+_NEAR = 8
 _TURNS = "turns"
 _STATE = "state"
 _LEAST = 1024 * 1024
@@ -141,7 +142,7 @@ class Checkpoints:
         if self._file is None or not enough or state is None or not fold.history.at_rest:
             return
         try:
-            lines = self._lines(fold, state, position)
+            lines = self._lines(fold, state, position, _NEAR if now else 0)
         except StateFormatError:  # a state that holds what has no JSON: nothing is kept of it
             self._file = None
             return
@@ -161,9 +162,12 @@ class Checkpoints:
     def _state(self, turn: int) -> RobotState:
         return state_from_plain(json.loads(self._states[turn]), self._spaces)
 
-    def _lines(self, fold: Fold, state: RobotState, position: Position) -> list[SealedLine]:
+    def _lines(
+        self, fold: Fold, state: RobotState, position: Position, near: int
+    ) -> list[SealedLine]:
         spaces = len(self._spaces)
-        states = {turn: self._written(state) for turn, state in self._to_keep(fold, state).items()}
+        to_keep = {**self._near(fold, near), **self._to_keep(fold, state)}
+        states = {turn: self._written(state) for turn, state in to_keep.items()}
         current = fold.history.current
         self._mark = _Mark(
             position,
@@ -191,6 +195,15 @@ class Checkpoints:
         kept = {t.node.seq: fold.states[t.node.seq] for t in turns if t.node.seq in fold.states}
         current = fold.history.current
         return kept if current is None else {**kept, current.seq: state}
+
+    def _near(self, fold: Fold, count: int) -> dict[int, RobotState]:
+        """The states of the last turns before the one that holds, for whoever undoes a few."""
+        before = [node.seq for node in fold.history.undoable()[:count]]
+        return {
+            seq: fold.states[seq]
+            for seq in before
+            if seq in fold.states and seq not in self._states
+        }
 
     def _written(self, state: RobotState) -> bytes:
         return _compact(state_to_plain(state, self._spaces))

@@ -10,7 +10,7 @@ import hashlib
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 from verbteach.verbs.lifting import Binding, Lifted
@@ -133,7 +133,11 @@ def _words(values: Sequence[Any]) -> tuple[str, ...]:
 
 
 def _literals(texts: Sequence[str]) -> tuple[Literal, ...]:
-    return tuple(Literal.parse(text) for text in texts)
+    return tuple(_literal(text) for text in texts)
+
+
+# Few literals occur in many spaces, and reading one takes longer than finding it again.
+_literal = lru_cache(maxsize=8192)(Literal.parse)
 
 
 def _demonstration(data: Mapping[str, Any]) -> Demonstration:
