@@ -17,8 +17,10 @@ from verbteach.dialogue.robot import Robot
 from verbteach.dialogue.simulated import SimulatedTeacher
 from verbteach.perception.noise import NoiseModel
 from verbteach.policy.fixed_rules import ManualPolicy, RandomPolicy, SplitPolicy
+from verbteach.policy.learned_policy import LearnedPolicy
 from verbteach.world.fluents import Fluent, Literal, satisfied
 from verbteach.world.plan import Action
+from verbteach_scenarios.weights import starting_weights
 
 HOT = Literal(Fluent("hot", ("Water",)))
 
@@ -95,7 +97,7 @@ def test_an_unknown_verb_is_still_asked_to_be_shown() -> None:
 
 def test_an_answer_about_what_matters_shapes_the_goal_read_back() -> None:
     """Table 1: should I put it on a heat pad? No, you don't have to."""
-    robot = pupil(RandomPolicy(), seed=3)
+    robot = pupil(LearnedPolicy.beginning(starting_weights(), frozen=True))
     tell(robot, acts.Command("boil the water"), *shown(*BOIL))
     refused: set[Literal] = set()
     for _ in range(30):

@@ -23,14 +23,14 @@ from verbteach.dialogue.acts import (
 from verbteach.dialogue.asking import answered, learning_inquiry, seen_grounding
 from verbteach.dialogue.carrying_out import described
 from verbteach.dialogue.decision import Candidate
-from verbteach.dialogue.demonstration import ordered
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.moves import IllegalMoveError, Phase
 from verbteach.dialogue.proposals import grounding_questions
 from verbteach.dialogue.questions import ask
+from verbteach.dialogue.relevance import weighed_by_relevance
 from verbteach.dialogue.seeing import perceived
 from verbteach.dialogue.state import ReadBack
-from verbteach.dialogue.worth import essential, without_departures
+from verbteach.dialogue.worth import essential
 from verbteach.perception.belief import Belief
 from verbteach.verbs.change import ObjectSet, StateChange
 from verbteach.verbs.hypothesis import Learner, NoHypothesis, Shown
@@ -85,17 +85,9 @@ def _options(draft: Draft, read_back: ReadBack) -> list[Candidate]:
             Candidate(include, {"size": float(len(read_back.goal))}),
         ]
     options = learning_inquiry(draft, _seen_after(draft)).candidates()
-    # A goal of one part is that part; what is left out anyhow need not be asked about.
-    doubtful = set(without_departures(ordered(read_back.goal)))
-    doubtful = doubtful if len(doubtful) > 1 else set()
-    questions = [
-        one
-        for one in options
-        if isinstance(one.act, QUESTIONS)
-        and not (isinstance(one.act, GoalRelevantYnq) and one.act.literal not in doubtful)
-    ]
-    last = options[-1]
-    return [*questions, replace(last, act=include) if read_back.goal else last]
+    if not read_back.goal:
+        return [one for one in options if not isinstance(one.act, GoalRelevantYnq)]
+    return weighed_by_relevance(draft, options, include)
 
 
 def strike(draft: Draft, literal: Literal) -> None:

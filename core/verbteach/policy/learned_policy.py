@@ -45,7 +45,7 @@ class LiveLearning:
     price: float = 1.0
     noise: float = 0.2
     forget: float = 4.0
-    exploration: float = 0.5
+    exploration: float = 0.2
     draws: int = 200
 
 
@@ -161,9 +161,17 @@ def _posterior(
     trained: PolicyWeights, phase: str, weights: Weights, how: LiveLearning
 ) -> Posterior:
     rows = trained.covariances.get(phase)
+    named = weights.to_json()
+    for unmet, kin in _KIN.items():
+        if named.get(unmet) == 0.0 and kin in named:
+            named[unmet] = named[kin]
     if rows is None:
-        return Posterior.of(weights.to_json(), PRIOR)
-    return Posterior(weights.space.names, weights.values, rows).spread(how.forget)
+        return Posterior.of(named, PRIOR)
+    return Posterior(tuple(named), tuple(named.values()), rows).spread(how.forget)
+
+
+_KIN = {"goal_relevant_ynq": "pred_change_ynq", "bulk_np_grd_ynq": "np_grd_ynq"}
+"""An act that was never met in training is taken to be worth what its nearest kin is."""
 
 
 _REASONS = {
