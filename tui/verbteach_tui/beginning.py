@@ -15,30 +15,31 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from verbteach_tui.conclusion import WrongUseError
-from verbteach_tui.terminal import size_in_browser
+from verbteach_tui.terminal import has_terminal, size_in_browser
 
 if TYPE_CHECKING:
     from verbteach.dialogue.setting import Setting, Settings
+    from verbteach.policy.learned_policy import LearnedPolicy
     from verbteach.world.scene import Scene
     from verbteach_scenarios.nlp.second_opinion import SecondOpinion
-    from verbteach.policy.learned_policy import LearnedPolicy
     from verbteach_sessions.header import Source
     from verbteach_sessions.learned import Taught
     from verbteach_sessions.method import Method
     from verbteach_sessions.session import Session
 
-LEARNED = "rl"
+LEARNED, WRITTEN = "rl", "she16"
 
 
 @dataclass(frozen=True)
 class Choices:
     """The method that a new session runs under, by the names on the command line.
 
+    Without a ``policy`` the interface decides.
     ``weights`` is a file for the policy ``rl`` to begin with; with ``freeze`` it
     stays as it is. ``questions`` is the most it asks about one command.
     """
 
-    policy: str = "she16"
+    policy: str | None = None
     noise: str = "perfect"
     noise_reading: str = "literal"
     seed: int = 0
@@ -95,19 +96,31 @@ class Beginning:
         from verbteach_sessions.study.capping import capped
 
         chosen = self.choices
-        if chosen.policy not in POLICIES:
+        policy = chosen.policy or self._usual_policy
+        if policy not in POLICIES:
             has = ", ".join(POLICIES)
-            raise WrongUseError(f"this version has no policy {chosen.policy!r}; it has: {has}")
+            raise WrongUseError(f"this version has no policy {policy!r}; it has: {has}")
         noise = NoiseModel.named(chosen.noise, chosen.noise_reading)
         parameters = RobotParameters(seed=chosen.seed, noise=noise)
         if chosen.questions is not None:
             parameters = capped(parameters, chosen.questions)
-        if chosen.policy == LEARNED:
+        if policy == LEARNED:
             return Method(self._learned_policy(), parameters, chosen.second_opinion)
         if chosen.weights is not None or chosen.freeze:
             raise WrongUseError(f"--weights and --freeze are for --policy {LEARNED}")
-        named = Method.named(chosen.policy, parameters)
+        named = Method.named(policy, parameters)
         return replace(named, second_opinion=chosen.second_opinion)
+
+    @property
+    def _usual_policy(self) -> str:
+        """What asks where somebody is there to answer; what seldom asks for written lines.
+
+        A script, and a pipe into the plain mode, cannot know which questions come.
+        """
+        if self.choices.weights is not None or self.choices.freeze:
+            return LEARNED
+        answering = self.interface in {"app", "browser", "simulated"}
+        return LEARNED if answering or (self.interface == "plain" and has_terminal()) else WRITTEN
 
     def _learned_policy(self) -> LearnedPolicy:
         """As the file of weights has it, else as the earlier session left it, else as it comes."""

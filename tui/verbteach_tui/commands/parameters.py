@@ -48,7 +48,9 @@ NoiseReading = Annotated[
 PolicyOption = Annotated[
     str | None,
     typer.Option(
-        "--policy", metavar="NAME", help="How it asks: rl, manual, random, split or she16 (she16)."
+        "--policy",
+        metavar="NAME",
+        help="How it asks: rl, manual, random, split or she16 (rl; she16 for scripts and pipes).",
     ),
 ]
 WeightsOption = Annotated[
