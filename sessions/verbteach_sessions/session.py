@@ -19,6 +19,7 @@ from verbteach.dialogue.acts import QUESTIONS, AskAgain, TeacherAct
 from verbteach.dialogue.codec import teacher_act_to_json
 from verbteach.dialogue.robot import Robot
 from verbteach.dialogue.setting import Settings
+from verbteach.dialogue.state import RobotState
 from verbteach.dialogue.turn import RobotTurn
 from verbteach_sessions import events as kinds
 from verbteach_sessions.checkpoints import Checkpoints
@@ -33,7 +34,7 @@ from verbteach_sessions.recorder import Recorder
 from verbteach_sessions.recording import after
 from verbteach_sessions.resuming import reopen
 from verbteach_sessions.session_acts import Flag, Note, Quit, Redo, Repeat, SessionAct, Undo, Why
-from verbteach_sessions.transcript import Line, transcript
+from verbteach_sessions.transcript import Line, Transcript
 
 Clock = Callable[[], float]
 
@@ -50,6 +51,8 @@ class Session:
         self.recovered = recovered
         self._recorder = recorder
         self._fold = recorder.fold
+        rewards = self.header.method.parameters.rewards
+        self._transcript = Transcript(recorder.fold.history, rewards)
         self.said = self.turn.texts
 
     @classmethod
@@ -144,7 +147,16 @@ class Session:
 
     def transcript(self) -> tuple[Line, ...]:
         """What was said and still holds, in order; notes stay when their turn is undone."""
-        return transcript(self._fold.history, self.header.method.parameters.rewards)
+        return self._transcript.lines()
+
+    def state_after(self, turn: Node) -> RobotState | None:
+        """The robot's state after one of its turns; ``None`` where it was not computed."""
+        return self._fold.states.get(turn.seq)
+
+    @property
+    def redoable(self) -> tuple[Node, ...]:
+        """The turns that were taken back and can be done again, the next one first."""
+        return tuple(reversed(self._fold.history.redoable))
 
     def perform(
         self,

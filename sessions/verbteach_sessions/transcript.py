@@ -34,21 +34,53 @@ class Line(NamedTuple):
     seq: int
 
 
+class Transcript:
+    """Makes the lines of one history, again and again as it grows; those of a turn only once."""
+
+    def __init__(self, history: History, rewards: Rewards) -> None:
+        self._history, self._rewards = history, rewards
+        self._turns: dict[int, tuple[Line, ...]] = {}
+
+    def lines(self) -> tuple[Line, ...]:
+        """The lines in the order of events. Notes and flags stay though their turn was undone."""
+        turns = self._history.effective()
+        lines = [line for node in turns for line in self._of(node)]
+        remarks = self._remarks({node.seq for node in turns})
+        if not remarks:
+            return tuple(lines)
+        return tuple(sorted([*lines, *remarks], key=lambda line: line.seq))
+
+    def _of(self, node: Node) -> tuple[Line, ...]:
+        if node.seq not in self._turns:
+            self._turns[node.seq] = tuple(_turn(node, self._rewards))
+        return self._turns[node.seq]
+
+    def _remarks(self, standing: set[int]) -> list[Line]:
+        return [
+            line
+            for remark in self._history.remarks
+            if remark.node.seq in standing or remark.type in (kinds.NOTE, kinds.FLAGGED)
+            for line in _remark(remark)
+        ]
+
+
 def transcript(history: History, rewards: Rewards) -> tuple[Line, ...]:
     """The lines in the order of the events. Notes and flags stay though their turn was undone."""
-    turns = history.effective()
-    standing = {node.seq for node in turns}
-    lines = [line for node in turns for line in _turn(node, rewards)]
-    for remark in history.remarks:
-        if remark.node.seq in standing or remark.type in (kinds.NOTE, kinds.FLAGGED):
-            lines += _remark(remark)
-    return tuple(sorted(lines, key=lambda line: line.seq))
+    return Transcript(history, rewards).lines()
+
+
+def said_in(node: Node) -> Line | None:
+    """What the teacher said that a turn replies to; ``None`` for a first turn."""
+    if node.teacher is None:
+        return None
+    act = teacher_act_from_json(node.teacher.data["act"])
+    return Line(TEACHER, spoken(act), act.name, None, node.teacher.seq)
 
 
 def _turn(node: Node, rewards: Rewards) -> Iterator[Line]:
-    if node.teacher is not None:
-        act = teacher_act_from_json(node.teacher.data["act"])
-        yield Line(TEACHER, spoken(act), act.name, None, node.teacher.seq)
+    said = said_in(node)
+    if said is not None:
+        yield said
     for name, text in zip(node.acts, node.texts, strict=False):
         price = rewards.prices[name] if name in _QUESTIONS and name in rewards.prices else None
         yield Line(ROBOT, text, name, price, node.seq)

@@ -20,7 +20,9 @@ from verbteach.dialogue.turn import RobotTurn, Trace
 from verbteach.verbs.change import StateChange
 from verbteach.verbs.knowledge import VerbKnowledge
 from verbteach.world.fluents import Literal, State
+from verbteach_sessions.history import Node
 from verbteach_sessions.session import Session
+from verbteach_tui.consequences import consequence
 from verbteach_tui.hypotheses import Vocabulary
 from verbteach_tui.keys import DIGITS
 from verbteach_tui.minds import mind_of
@@ -32,6 +34,7 @@ from verbteach_tui.views.read_back import GoalPart
 from verbteach_tui.views.recorder import Change
 from verbteach_tui.views.steps import StepBook, StepMenu
 from verbteach_tui.views.wording import Wording
+from verbteach_tui.watched import Live, Watched
 
 _NEWS = 3
 _TRIFLES = HIDDEN | {"near"}
@@ -63,11 +66,11 @@ class _Place:
 class Observer:
     """Looks at one session, again and again."""
 
-    def __init__(self, session: Session) -> None:
-        self._session = session
+    def __init__(self, session: Session | Watched, previous: Snapshot | None = None) -> None:
+        self._session = Live(session) if isinstance(session, Session) else session
         self._places: dict[str, _Place] = {}
-        self._sayings = Sayings(lambda scene: self._place(scene).wording)
-        self._previous: Snapshot | None = None
+        self._sayings = Sayings(lambda scene: self._place(scene).wording, self._came_of)
+        self._previous = previous
 
     def look(self) -> Snapshot:
         """The session as it stands; what differs from the last look is marked as changed."""
@@ -77,11 +80,21 @@ class Observer:
 
     def _place(self, scene: str) -> _Place:
         if scene not in self._places:
-            self._places[scene] = _Place(self._session.robot.settings(scene))
+            self._places[scene] = _Place(self._session.settings(scene))
         return self._places[scene]
 
-    def _looked(self, session: Session, previous: Snapshot | None) -> Snapshot:
-        state, turn = session.robot.state, session.turn
+    def _came_of(self, session: Watched, turn: Node) -> str:
+        """What the answer that a turn replies to came to."""
+        before = session.state_after(turn.parent) if turn.parent else None
+        after = session.state_after(turn)
+        if before is None or after is None or before.scene != after.scene:
+            return ""
+        speech = Speech.of(self._place(after.scene).setting, after.world)
+        return consequence(before.episode, after.episode, speech)
+
+    def _looked(self, session: Watched, previous: Snapshot | None) -> Snapshot:
+        state = session.state
+        turn = state.turn
         place, episode, totals = self._place(state.scene), state.episode, state.totals
         speech = Speech.of(place.setting, state.world)
         wording, trace = place.wording, turn.trace
@@ -94,17 +107,20 @@ class Observer:
         menu = StepMenu(place.steps, state.world)
         if turn.phase is Phase.DEMONSTRATION:
             menu.prepare()
+        lines = self._sayings.lines_of(session)
         return Snapshot(
-            session=session.path.name,
+            session=session.name,
             scene=state.scene,
             phase=turn.phase,
-            lines=self._sayings.lines_of(session),
+            lines=lines,
+            consequence=self._sayings.outcome(session, session.turns()[-1]),
             moments=_moments(place.setting, speech, state.world, trace, previous),
             depictor=place.depictor,
             mind=mind_of(state, learned_from, wording.labels, speech, place.words,
                          previous.mind if previous else None),
             menu=menu,
             words=place.words,
+            wording=wording,
             knowledge=state.knowledge,
             learned_from=learned_from,
             figures=Figures(totals.episodes, totals.successes, totals.questions, totals.reward,
@@ -123,6 +139,7 @@ class Observer:
             suggested=state.suggested,
             can_undo=session.can_undo,
             can_redo=session.can_redo,
+            belief=episode.belief if episode else None,
             ended=session.ended,
             content_hash=session.content_hash,
         )  # fmt: skip

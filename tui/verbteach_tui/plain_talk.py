@@ -97,6 +97,8 @@ class Talk:
         if isinstance(act, Flag | Note | Quit):
             return lines
         if not isinstance(act, Undo | Redo | Why | Repeat):
+            came = self._snapshot.consequence
+            lines += [f"{SPEAKERS['robot']}: {visible(came)}"] if came else []
             lines += self._execution()
         return lines + self._robot(self._session.said)
 
@@ -136,6 +138,17 @@ class Talk:
     def _look(self) -> list[str]:
         snapshot = self._snapshot
         return plain_words.look_lines(snapshot.depictor.picture(snapshot.moment.state))
+
+    def _seen(self) -> list[str]:
+        believed = self._snapshot.believed
+        if believed is None:
+            raise MisfitError("the robot looks around when it gets a command")
+        return plain_words.look_lines(believed)
+
+    def _shown(self) -> list[str]:
+        if self._snapshot.phase is not Phase.DEMONSTRATION:
+            raise MisfitError("the robot waits for no demonstration")
+        return plain_words.shown_lines(self._snapshot)
 
     def _mind(self) -> list[str]:
         return plain_words.mind_lines(self._snapshot)
@@ -190,6 +203,8 @@ _NOTES: Mapping[type[ScriptAct], str] = {
 _LOCAL: Mapping[str, Callable[[Talk], list[str]]] = {
     "help": Talk._help,
     "look": Talk._look,
+    "seen": Talk._seen,
+    "shown": Talk._shown,
     "mind": Talk._mind,
     "verbs": Talk._verbs,
     "steps": Talk._steps,

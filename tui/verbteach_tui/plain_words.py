@@ -18,9 +18,11 @@ from verbteach_tui.views.visible import visible
 LOCAL = {
     "help": "what you can say now",
     "look": "what is where in the scene",
+    "seen": "the same as the robot saw it when it got the command",
     "mind": "what the robot makes of it",
     "verbs": "the verbs it has learned",
     "steps": "the actions you can show, numbered",
+    "shown": "the steps you have shown, numbered, and what they have changed",
 }
 """Words that only the plain mode knows; they are not for the robot and leave no record."""
 
@@ -76,6 +78,15 @@ def look_lines(picture: Picture) -> list[str]:
     return lines
 
 
+def shown_lines(snapshot: Snapshot) -> list[str]:
+    """The steps of the demonstration, what they changed, and how they are edited."""
+    if not snapshot.shown:
+        return ["Nothing shown yet."]
+    changes = [f"Changed: {change.text}." for change in snapshot.change]
+    edits = "To edit: remove: N, remove: N-M, move: N M, insert: N STEP."
+    return [*numbered(snapshot.shown), *(changes or ["Nothing is different so far."]), edits]
+
+
 def mind_lines(snapshot: Snapshot) -> list[str]:
     """What words may refer to and which goals the robot sees, with their shares."""
     lines = []
@@ -111,8 +122,12 @@ def _listed(things: Sequence[Thing]) -> str:
 
 def _inline(thing: Thing) -> str:
     inside = f" with {_listed(thing.contents)}" if thing.contents else ""
-    return f"{thing.label}{_conditions(thing.marks)}{inside}"
+    sure = "" if thing.sure is None else f", {thing.sure:.0%} sure that it is there,"
+    return f"{thing.label}{_conditions(thing.marks)}{sure}{inside}"
 
 
 def _conditions(marks: Sequence[Mark]) -> str:
-    return f" ({', '.join(mark.word for mark in marks)})" if marks else ""
+    words = [
+        mark.word if mark.sure is None else f"{mark.word}: {mark.sure:.0%} sure" for mark in marks
+    ]
+    return f" ({', '.join(words)})" if words else ""

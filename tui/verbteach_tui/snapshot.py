@@ -8,20 +8,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from verbteach.dialogue import acts
 from verbteach.dialogue.moves import Phase
+from verbteach.perception.belief import Belief
 from verbteach.verbs.knowledge import VerbKnowledge
 from verbteach.world.fluents import State
 from verbteach_tui.hypotheses import Vocabulary
 from verbteach_tui.reading import Reader
+from verbteach_tui.views.believed import Believed
 from verbteach_tui.views.cards import Emphasis
 from verbteach_tui.views.dialogue import DialogueLine
 from verbteach_tui.views.mind import Mind
-from verbteach_tui.views.picture import Depictor
+from verbteach_tui.views.picture import Depictor, Picture
 from verbteach_tui.views.read_back import GoalPart
 from verbteach_tui.views.recorder import Change
 from verbteach_tui.views.steps import StepMenu
+from verbteach_tui.views.wording import Wording
 
 
 @dataclass(frozen=True)
@@ -62,7 +66,9 @@ class Snapshot:
     execution. ``choices`` are the objects that digits pick. ``shown`` are the
     demonstrated steps in words, ``change`` what they have changed, ``parts`` the
     goal that was read back; ``shown_moments`` are the worlds before and after each
-    of the steps. ``learned_from`` is what the robot knew before it
+    of the steps. ``belief`` is what the robot saw when it got the command,
+    ``consequence`` what the last answer came to.
+    ``learned_from`` is what the robot knew before it
     learned last.
     """
 
@@ -75,6 +81,7 @@ class Snapshot:
     mind: Mind = field(repr=False)
     menu: StepMenu = field(repr=False)
     words: Vocabulary = field(repr=False)
+    wording: Wording = field(repr=False)
     knowledge: VerbKnowledge = field(repr=False)
     learned_from: VerbKnowledge = field(repr=False)
     figures: Figures
@@ -90,8 +97,10 @@ class Snapshot:
     change: tuple[Change, ...] = ()
     parts: tuple[GoalPart, ...] = ()
     suggested: str = ""
+    consequence: str = ""
     can_undo: bool = False
     can_redo: bool = False
+    belief: Belief | None = None
     ended: bool = False
     content_hash: str = ""
 
@@ -104,6 +113,14 @@ class Snapshot:
     def emphasis(self) -> Emphasis:
         """What the question is about."""
         return Emphasis(self.asked, {thing: digit for digit, thing in self.choices.items()})
+
+    @cached_property
+    def believed(self) -> Picture | None:
+        """The scene as the robot saw it; ``None`` between two commands."""
+        if self.belief is None:
+            return None
+        seen = Believed.of(self.belief)
+        return self.depictor.picture(seen.state, doubts=seen.doubts)
 
     @property
     def moment(self) -> Moment:

@@ -7,37 +7,57 @@ from collections.abc import Callable, Mapping
 from verbteach.dialogue import acts
 from verbteach.world.fluents import FluentSyntaxError, Literal
 from verbteach.world.plan import Action
-from verbteach_sessions.session import Session
+from verbteach_sessions.history import Node
 from verbteach_sessions.transcript import ROBOT, TEACHER, Line
-from verbteach_tui.views.dialogue import DialogueLine
+from verbteach_tui.views.dialogue import CONSEQUENCE, DialogueLine
 from verbteach_tui.views.wording import Wording
+from verbteach_tui.watched import Watched
 
 _TABLE = frozenset({acts.SelectHypo.name, acts.IncludeFluent.name})
 """Acts of the paper's Table 2 that are no questions, whose names are shown all the same."""
 
+_SEEN_STEPS = frozenset({acts.ObserveStep.name, acts.ReviseSteps.name})
+
 
 class Sayings:
-    """Words what was said; each line in the words of the scene that it was said in."""
+    """Words what was said; each line in the words of the scene that it was said in.
 
-    def __init__(self, wording: Callable[[str], Wording]) -> None:
-        self._wording = wording
+    ``wording`` gives a scene's words, ``outcome`` what came of a turn's answer.
+    """
+
+    def __init__(
+        self,
+        wording: Callable[[str], Wording],
+        outcome: Callable[[Watched, Node], str] = lambda session, turn: "",
+    ) -> None:
+        self._wording, self._outcome = wording, outcome
         self._known: dict[tuple[str, Line], DialogueLine] = {}
+        self._outcomes: dict[int, str] = {}
 
-    def lines_of(self, session: Session) -> tuple[DialogueLine, ...]:
-        """What was said and still holds.
+    def lines_of(self, session: Watched) -> tuple[DialogueLine, ...]:
+        """What was said and still holds, each answer with what it came to.
 
         While something is shown, what the robot saw stands only after the last
         step: it repeats the whole change so far each time.
         """
-        lines = session.transcript()
-        last = max((line.seq for line in lines if line.speaker == ROBOT), default=0)
-        scene, shown = session.header.scene, []
+        lines, turns = session.transcript(), session.turns()
+        outcomes = {turn.seq: self.outcome(session, turn) for turn in turns}
+        last = turns[-1].seq if turns else 0
+        scene, shown = session.scene, list[DialogueLine]()
         for line in lines:
             if line.kind == acts.GoToScene.name:
                 scene = line.text
-            if line.kind != acts.ObserveStep.name or line.seq == last:
+            if line.speaker == ROBOT and (came := outcomes.pop(line.seq, "")):
+                shown.append(DialogueLine(CONSEQUENCE, came))
+            if line.kind not in _SEEN_STEPS or line.seq == last:
                 shown.append(self._worded(scene, line))
         return tuple(shown)
+
+    def outcome(self, session: Watched, turn: Node) -> str:
+        """What came of the answer that ``turn`` replies to, in one line or none."""
+        if turn.seq not in self._outcomes:
+            self._outcomes[turn.seq] = self._outcome(session, turn)
+        return self._outcomes[turn.seq]
 
     def _worded(self, scene: str, line: Line) -> DialogueLine:
         key = (scene, line)

@@ -14,7 +14,7 @@ from verbteach_sessions.errors import StorageError
 from verbteach_sessions.script import LineSyntaxError, ScriptAct
 from verbteach_sessions.session_acts import SessionAct
 from verbteach_tui.messages import Refused, TurnTaken, WorkFailed
-from verbteach_tui.screens.room import RoomScreen
+from verbteach_tui.screens.panels import PanelScreen
 from verbteach_tui.snapshot import Snapshot
 from verbteach_tui.teaching import REFUSALS, Teaching
 
@@ -22,7 +22,7 @@ PATIENCE = 0.25
 """Seconds after which the screen says that the robot is thinking."""
 
 
-class SpeakingScreen(RoomScreen):
+class SpeakingScreen(PanelScreen):
     """Knows how to say something to the robot, and whether it is still thinking."""
 
     def __init__(self, teaching: Teaching) -> None:

@@ -8,13 +8,13 @@ from typing import ClassVar
 
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
-from textual.containers import Container, Horizontal
+from textual.containers import Horizontal
 from textual.widgets import Static
 
 from verbteach.dialogue import acts
 from verbteach.dialogue.moves import Phase
-from verbteach_sessions.script import ScriptAct
-from verbteach_sessions.session_acts import Quit
+from verbteach_sessions.script import ScriptAct, render
+from verbteach_sessions.session_acts import Quit, Redo, Undo
 from verbteach_tui.keys import ANSWERS, ANYTIME
 from verbteach_tui.messages import (
     Refused,
@@ -29,49 +29,34 @@ from verbteach_tui.messages import (
 from verbteach_tui.prompts import ABOUT, PROMPTS, bar_of
 from verbteach_tui.screens.answering import AnsweringScreen
 from verbteach_tui.screens.failure import FailureScreen
+from verbteach_tui.screens.panels import TABS
 from verbteach_tui.screens.scenes import ScenePicker
-from verbteach_tui.screens.verbs import VerbsScreen
-from verbteach_tui.snapshot import Moment, Snapshot
+from verbteach_tui.screens.turns import TurnPicker
+from verbteach_tui.snapshot import Snapshot
 from verbteach_tui.teaching import Teaching
+from verbteach_tui.turns import turns_of
 from verbteach_tui.views.visible import visible
 from verbteach_tui.widgets.command_input import CommandInput
-from verbteach_tui.widgets.dialogue_view import DialogueView
 from verbteach_tui.widgets.execution_view import STEERING
 from verbteach_tui.widgets.foot import Foot
 from verbteach_tui.widgets.key_bar import KeyBar
-from verbteach_tui.widgets.mind_view import MindView
 from verbteach_tui.widgets.scene_chooser import LoadScene
-from verbteach_tui.widgets.scene_view import SceneView
 from verbteach_tui.widgets.stage import Stage
 from verbteach_tui.widgets.steps_view import EDITING
-from verbteach_tui.widgets.tab_strip import TabStrip
-from verbteach_tui.widgets.title_bar import TitleBar
-
-TABS = (("dialogue", "F2", "Dialogue"), ("scene", "F3", "Scene"), ("mind", "F4", "Mind"))
 
 
 class TeachScreen(AnsweringScreen):
     """One session being taught in."""
 
-    HORIZONTAL_BREAKPOINTS = [  # noqa: RUF012 (the base class declares its type)
-        (0, "-narrow"),
-        (76, "-normal"),
-        (110, "-wide"),
-        (170, "-very-wide"),
-    ]
-    AUTO_FOCUS = None
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("f2", "tab('dialogue')", "Dialogue", show=False),
-        Binding("f3", "tab('scene')", "Scene", show=False),
-        Binding("f4", "tab('mind')", "Mind", show=False),
-        Binding("f5", "verbs", "Verbs"),
-        Binding("f6", "scenes", "Other scene"),
-        Binding("ctrl+z", "word('undo')", "Undo", priority=True),
-        Binding("ctrl+y", "word('redo')", "Redo", show=False, priority=True),
-        Binding("slash", "type", "Type", show=False),
+        Binding("f6", "scenes", "Other scene", id="scenes"),
+        Binding("ctrl+z", "word('undo')", "Undo", priority=True, id="line-undo"),
+        Binding("ctrl+y", "word('redo')", "Redo", show=False, priority=True, id="line-redo"),
+        Binding("slash", "type", "Type", show=False, id="type"),
         Binding("tab", "switch", "Type, or answer with keys", show=False),
-        Binding("f9", "steps", "The steps shown", show=False),
-        Binding("f10", "leave", "Leave"),
+        Binding("f8", "turns", "Undo to", id="turns"),
+        Binding("f9", "steps", "The steps shown", show=False, id="steps"),
+        Binding("f10", "leave", "Leave", id="leave"),
     ]
 
     def __init__(
@@ -84,13 +69,7 @@ class TeachScreen(AnsweringScreen):
 
     def compose(self) -> ComposeResult:
         """Four panels, and below them what can be said."""
-        yield TitleBar(id="title")
-        yield TabStrip(id="tabs")
-        with Container(id="panels"):
-            yield DialogueView(id="dialogue")
-            yield SceneView(id="scene")
-            yield Stage(id="stage")
-            yield MindView(id="mind")
+        yield from self.panels()
         yield KeyBar(id="keys")
         with Horizontal(id="entry"):
             yield Static("You ›", id="sign")
@@ -99,7 +78,7 @@ class TeachScreen(AnsweringScreen):
 
     def on_mount(self) -> None:
         """Show the session as it is opened."""
-        self._choose_tab("dialogue")
+        self.choose_tab("dialogue")
         self._show(self.snapshot, played=False)
         for notice in self.teaching.notices:
             self.notify(visible(notice), title="The record was repaired", markup=False, timeout=12)
@@ -107,21 +86,11 @@ class TeachScreen(AnsweringScreen):
     # ---- showing
 
     def _show(self, snapshot: Snapshot, played: bool) -> None:
-        self.query_one(DialogueView).show_lines(snapshot.lines)
-        self.query_one(MindView).show_mind(snapshot.mind)
-        self.query_one(TitleBar).show_title(snapshot.scene, snapshot.figures.texts)
-        on_stage = self.query_one(Stage).show_snapshot(snapshot, played, self._speed)
-        if not played:
-            self._show_moment(snapshot.moment)
+        on_stage = self.show_panels(snapshot, played, self._speed)
         self._expect(snapshot)
         looking = played or snapshot.phase is Phase.DEMONSTRATION
-        self._choose_tab("scene" if looking else "dialogue", on_stage)
+        self.choose_tab("scene" if looking else "dialogue", on_stage)
         self.teaching.shown()
-
-    def _show_moment(self, moment: Moment) -> None:
-        snapshot = self.snapshot
-        picture = snapshot.depictor.picture(moment.state, moment.before)
-        self.query_one(SceneView).show_picture(picture, snapshot.emphasis, moment.news)
 
     def _expect(self, snapshot: Snapshot) -> None:
         """Put the keys where this kind of turn is answered."""
@@ -157,7 +126,7 @@ class TeachScreen(AnsweringScreen):
     def on_word_said(self, message: WordSaid) -> None:
         """A word was chosen by a key of a widget, or by a click."""
         if message.via == "tab":
-            self._choose_tab(message.word)
+            self.choose_tab(message.word)
         elif message.word in STEERING:
             self.query_one(Stage).execution.steer(message.word)
         elif message.word in EDITING:
@@ -216,7 +185,7 @@ class TeachScreen(AnsweringScreen):
         """The execution being watched is one step on: the scene follows."""
         moments = self.snapshot.moments
         if self.snapshot.steps and message.at < len(moments):
-            self._show_moment(moments[message.at])
+            self.show_moment(moments[message.at])
         self._speed = self.query_one(Stage).execution.playback.speed
         self._show_keys()
 
@@ -224,7 +193,7 @@ class TeachScreen(AnsweringScreen):
         """A step of the demonstration is looked at: the scene shows the world after it."""
         moments = self.snapshot.shown_moments
         if message.after < len(moments):
-            self._show_moment(moments[message.after])
+            self.show_moment(moments[message.after])
 
     def on_descendant_focus(self) -> None:
         """Other keys count now."""
@@ -251,10 +220,16 @@ class TeachScreen(AnsweringScreen):
         else:
             self.action_type()
 
-    def action_tab(self, name: str) -> None:
-        """Bring a panel into view; where all are, give it the keys."""
-        self._choose_tab(name)
-        self.query_one(f"#{name}").focus()
+    def action_turns(self) -> None:
+        """Go back to an earlier turn, or forward again to one that was taken back."""
+        if not self.thinking:
+            turns = turns_of(self.teaching.session, self.snapshot)
+            self.app.push_screen(TurnPicker(turns), self._go_to_turn)
+
+    def _go_to_turn(self, turns: int | None) -> None:
+        if turns:
+            act = Undo(turns) if turns > 0 else Redo(-turns)
+            self.say(act, render(act), "picked")
 
     def action_steps(self) -> None:
         """To the steps of the demonstration, to edit them."""
@@ -262,10 +237,6 @@ class TeachScreen(AnsweringScreen):
             self.query_one(Stage).builder.steps.focus()
         else:
             self.notify("There are steps to edit while you show the robot something.")
-
-    def action_verbs(self, frame: str = "") -> None:
-        """Look at the verbs the robot has learned."""
-        self.app.push_screen(VerbsScreen(self.snapshot, frame))
 
     def action_scenes(self) -> None:
         """Go to another scene."""
@@ -306,18 +277,12 @@ class TeachScreen(AnsweringScreen):
         """Every action of this screen with what it does, for the palette."""
         for key in (*ANSWERS[self.snapshot.phase], *ANYTIME):
             yield key.label.capitalize(), f"Say '{key.word}'", partial(self.action_word, key.word)
+        yield "Undo to an earlier turn", "Pick the turn; redo as well", self.action_turns
         yield "Verbs", "The verbs the robot has learned", self.action_verbs
+        yield "Robot's view", "Beside the scene what the robot took it for", self.action_belief
         yield "Other scene", "Go to another scene", self.action_scenes
         for word, _, title in TABS:
             yield title, f"To the panel: {title.lower()}", partial(self.action_tab, word)
         if self.snapshot.phase is Phase.DEMONSTRATION:
             yield "Edit the steps", "Take away, move, insert, run", self.action_steps
         yield "Leave", "Leave the session, to go on later", self.action_leave
-
-    def _choose_tab(self, name: str, on_stage: bool | None = None) -> None:
-        # All at once: every change of the screen's classes restyles whatever is on it.
-        classes = {f"-tab-{word}": word == name for word, _, _ in TABS}
-        if on_stage is not None:
-            classes["-staged"] = on_stage
-        self.update_classes(classes)
-        self.query_one(TabStrip).show_tabs(TABS, name)

@@ -11,7 +11,8 @@ from textual.binding import Binding, BindingType
 from verbteach_sessions.script import ScriptAct
 from verbteach_sessions.session_acts import Quit
 from verbteach_tui.messages import Refused, TurnTaken
-from verbteach_tui.screens.teach import TABS, TeachScreen
+from verbteach_tui.screens.panels import TABS
+from verbteach_tui.screens.teach import TeachScreen
 from verbteach_tui.study.leaving_screen import PAUSE, LeavingScreen
 from verbteach_tui.study.lesson_talk import task_text
 from verbteach_tui.study.run import VIA, StudyRun
@@ -102,10 +103,11 @@ class LessonScreen(TeachScreen):
 
     # ---- what is shown
 
-    def _choose_tab(self, name: str, on_stage: bool | None = None) -> None:
+    def choose_tab(self, name: str, on_stage: bool | None = None) -> None:
+        """As ever, but for the panels that the condition hides."""
         shown = tuple(tab for tab in TABS if tab[0] not in self._hidden)
         name = "dialogue" if name in self._hidden else name
-        super()._choose_tab(name, on_stage)
+        super().choose_tab(name, on_stage)
         self.query_one(TabStrip).show_tabs(shown, name)
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
@@ -113,6 +115,8 @@ class LessonScreen(TeachScreen):
         if action == "tab" and parameters and parameters[0] in self._hidden:
             return False
         if action == "verbs" and "verbs" not in self._panels:
+            return False
+        if action == "belief" and "mind" in self._hidden:
             return False
         if action == "scenes" and self._given:
             return False
@@ -131,6 +135,8 @@ class LessonScreen(TeachScreen):
     def palette(self) -> Iterable[tuple[str, str, Callable[[], object]]]:
         """Every action that there is here."""
         hidden = {title for word, _, title in TABS if word in self._hidden}
+        if "mind" in self._hidden:
+            hidden.add("Robot's view")
         if "verbs" not in self._panels:
             hidden.add("Verbs")
         if self._given:

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, TypeAlias
 
+from verbteach_tui.views.marks import sureness
 from verbteach_tui.views.rows import GLUE, Row, Span, clipped, padded, unglued, width_of, wrapped
 
 if TYPE_CHECKING:
@@ -66,6 +67,25 @@ def picture_rows(
     ]
     actors = [row for actor in picture.actors for row in _actor(actor, width, handy)]
     return [*actors, *_side_by_side(drawn, room), *_others(picture, width, emphasis)]
+
+
+def beside(
+    truth: Sequence[Row], belief: Sequence[Row], width: int, titles: tuple[str, str]
+) -> list[Row]:
+    """Two drawings side by side, each as wide as :func:`half` of ``width``, under their titles."""
+    room = half(width)
+    rule = Span(" │ ", "border")
+    head = [(clipped([Span(title, "accent")], room),) for title in titles]
+    left, right = ([row[0], *rows] for row, rows in zip(head, (truth, belief), strict=True))
+    return [
+        (*padded(left[y] if y < len(left) else (), room), rule, *(right[y : y + 1] or [()])[0])
+        for y in range(max(len(left), len(right)))
+    ]
+
+
+def half(width: int) -> int:
+    """How wide each of two drawings side by side is."""
+    return max((width - 3) // 2, 1)
 
 
 def _with_newcomers(arrangement: Arrangement, picture: Picture) -> list[list[str]]:
@@ -160,6 +180,13 @@ def _inline(thing: Thing, emphasis: Emphasis) -> list[Span]:
 
 
 def _name(thing: Thing, emphasis: Emphasis, style: str) -> list[Span]:
+    named = _called(thing, emphasis, style)
+    if thing.sure is None:
+        return named
+    return [*named, Span(f"{GLUE}here{sureness(thing.sure).replace(' ', GLUE)}", "warn")]
+
+
+def _called(thing: Thing, emphasis: Emphasis, style: str) -> list[Span]:
     digit = emphasis.digits.get(thing.id)
     if digit is not None:
         return [Span(f"[{digit}] {thing.label}", "asked", thing.id)]
@@ -174,9 +201,8 @@ def _marks(marks: Iterable[Mark]) -> list[Span]:
     spans = []
     for mark in marks:
         star = CHANGED if mark.changed else ""
-        spans.append(
-            Span(f" {star}{mark.text.replace(' ', GLUE)}", "new" if mark.changed else "muted")
-        )
+        style = "new" if mark.changed else "warn" if mark.sure is not None else "muted"
+        spans.append(Span(f" {star}{mark.text.replace(' ', GLUE)}", style))
     return spans
 
 

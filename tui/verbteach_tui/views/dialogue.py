@@ -8,10 +8,14 @@ from typing import NamedTuple
 from verbteach_tui.views.rows import Row, Span, clipped, padded, width_of, wrapped
 from verbteach_tui.views.visible import shortened
 
-SPEAKERS = {"robot": "Robot", "teacher": "You", "note": "Note"}
+CONSEQUENCE = "consequence"
+"""Who says what an answer came to: the robot, to itself."""
+
+SPEAKERS = {"robot": "Robot", "teacher": "You", "note": "Note", CONSEQUENCE: ""}
 """How each speaker is named; the plain mode uses the same words."""
 
 _GUTTER = 7
+_STYLES = {"note": "note", CONSEQUENCE: "good"}
 
 
 class DialogueLine(NamedTuple):
@@ -36,9 +40,10 @@ def dialogue_rows(lines: Iterable[DialogueLine], width: int) -> list[Row]:
 def line_rows(line: DialogueLine, previous: str, width: int) -> list[Row]:
     """One line drawn; ``previous`` is who spoke before it ("" for nobody)."""
     name = SPEAKERS.get(line.speaker, line.speaker) if line.speaker != previous else ""
-    gutter = padded([Span(name, line.speaker)], _GUTTER)
-    style = "note" if line.speaker == "note" else "text"
-    rows = wrapped([Span(shortened(line.text), style)], width, _GUTTER, gutter)
+    gutter = padded([Span(name, line.speaker if name else "text")], _GUTTER)
+    style = _STYLES.get(line.speaker, "text")
+    lead = [Span("→ ", style)] if line.speaker == CONSEQUENCE else []
+    rows = wrapped([*lead, Span(shortened(line.text), style)], width, _GUTTER, gutter)
     tag = _tag(line)
     if tag:
         rows = _tagged(rows, tag, width)

@@ -24,16 +24,25 @@ class Sign(NamedTuple):
 
 
 class Mark(NamedTuple):
-    """A condition of an object as shown; ``changed``: it is not what it was a moment ago."""
+    """A condition of an object as shown; ``changed``: it is not what it was a moment ago.
+
+    ``sure``: how sure the robot is of it, where it is not sure.
+    """
 
     glyph: str
     word: str
     changed: bool = False
+    sure: float | None = None
 
     @property
     def text(self) -> str:
-        """Glyph and word."""
-        return f"{self.glyph} {self.word}"
+        """Glyph and word, and how sure the robot is."""
+        return f"{self.glyph} {self.word}{sureness(self.sure)}"
+
+
+def sureness(sure: float | None) -> str:
+    """As in: ? 62%; empty where there is no doubt."""
+    return "" if sure is None else f"? {sure:.0%}"
 
 
 SIGNS: Mapping[str, Sign] = {

@@ -39,7 +39,8 @@ class Thing:
     """An object as seen: where it is (``relation`` to what is around it), how it is, what it holds.
 
     ``moved``: it was somewhere else a moment ago. ``part``: a knob, a button or
-    the like of what it is shown with.
+    the like of what it is shown with. ``sure``: how sure the robot is that it is
+    there, where it is not sure.
     """
 
     id: str
@@ -49,6 +50,7 @@ class Thing:
     contents: tuple[Thing, ...] = ()
     moved: bool = False
     part: bool = False
+    sure: float | None = None
 
     @property
     def furnished(self) -> bool:
@@ -95,9 +97,17 @@ class Depictor:
         roots = self._roots(_Facts(scene.initial, self._rank))
         self._furnished = frozenset(root.id for root in roots if root.furnished)
 
-    def picture(self, state: State, before: State | None = None) -> Picture:
-        """The scene in ``state``; what differs from ``before`` is marked as changed."""
-        facts = _Facts(state, self._rank, before)
+    def picture(
+        self,
+        state: State,
+        before: State | None = None,
+        doubts: Mapping[Fluent, float] | None = None,
+    ) -> Picture:
+        """The scene in ``state``; what differs from ``before`` is marked as changed.
+
+        ``doubts`` are the confidences of fluents that the robot is not sure of.
+        """
+        facts = _Facts(state, self._rank, before, doubts)
         roots = self._roots(facts)
         shown = [root for root in roots if root.furnished or root.id in self._furnished]
         others = [root for root in roots if not (root.furnished or root.id in self._furnished)]
@@ -132,6 +142,7 @@ class Depictor:
             tuple(self._thing(facts, child) for child in facts.children.get(key, ())),
             key in facts.moved,
             part,
+            facts.sure.get(key),
         )
 
     def _things(self, facts: _Facts, keys: Iterable[str]) -> tuple[Thing, ...]:
@@ -141,12 +152,23 @@ class Depictor:
         fluents = dict.fromkeys((*facts.about.get(key, ()), *self._possible.get(key, ())))
         static = self.scene.domain.static
         made = (
-            mark_of(fluent, self.labels, facts.state, fluent in facts.changed)
+            self._mark(facts, fluent)
             for fluent in fluents
             if fluent.predicate not in static or stem(fluent.predicate) in _STUFF
         )
         label = self.labels[key]
         return tuple(mark for mark in made if mark is not None and not _repeats(mark, label))
+
+    def _mark(self, facts: _Facts, fluent: Fluent) -> Mark | None:
+        confidence = facts.doubts.get(fluent)
+        holds = fluent in facts.state
+        made = mark_of(fluent, self.labels, facts.state, fluent in facts.changed)
+        if confidence is None:
+            return made
+        if made is None and not holds:  # it may hold, and has no word for not holding
+            made = mark_of(fluent, self.labels, facts.state | {fluent})
+            holds = True
+        return made and made._replace(sure=confidence if holds else 1.0 - confidence)
 
 
 def _repeats(mark: Mark, label: str) -> bool:
@@ -157,8 +179,16 @@ def _repeats(mark: Mark, label: str) -> bool:
 class _Facts:
     """A state sorted by what it says: who is where, who holds what, how things are."""
 
-    def __init__(self, state: State, rank: Mapping[str, int], before: State | None = None) -> None:
+    def __init__(
+        self,
+        state: State,
+        rank: Mapping[str, int],
+        before: State | None = None,
+        doubts: Mapping[Fluent, float] | None = None,
+    ) -> None:
         self.state = state
+        self.doubts = doubts or {}
+        self.sure: dict[str, float] = {}
         self.changed = frozenset() if before is None else state ^ before
         self.parent: dict[str, str] = {}
         self.relation: dict[str, tuple[str, bool]] = {}
@@ -172,7 +202,7 @@ class _Facts:
 
     def _sort(self) -> None:
         placed: dict[str, tuple[int, str, bool]] = {}
-        for fluent in sorted(self.state | self.changed):
+        for fluent in sorted(self.state.union(self.changed, self.doubts)):
             self._take(fluent, placed)
         for child in sorted(placed, key=lambda key: self._rank.get(key, len(self._rank))):
             order, parent, part = placed[child]
@@ -199,6 +229,9 @@ class _Facts:
                 self.about[fluent.args[0]].append(fluent)
         elif holds:
             self._relate(key, fluent.args[0], fluent.args[1], placed)
+            if spatial and fluent in self.doubts:
+                thing = fluent.args[1] if key in _HOLDING else fluent.args[0]
+                self.sure[thing] = self.doubts[fluent]
 
     def _relate(
         self, key: str, first: str, second: str, placed: dict[str, tuple[int, str, bool]]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from textual import events
 
-from verbteach_tui.views.cards import Arrangement, Emphasis, arrange, picture_rows
+from verbteach_tui.views.cards import Arrangement, Emphasis, arrange, beside, half, picture_rows
 from verbteach_tui.views.rows import Row, plain
 from verbteach_tui.widgets.rows_view import RowsView
 
@@ -21,13 +21,15 @@ class SceneView(RowsView):
     HELP = (
         "The scene as it is. Each box is a piece of furniture with what is in and on it. ✱ marks "
         "what the last step changed, [1] or ? what a question is about. Click an object to point "
-        "at it; hold the mouse over it to read its name in the record."
+        "at it; hold the mouse over it to read its name in the record. F7 puts beside it what the "
+        "robot saw when it got the command: 'open? 62%' is what it is not sure of."
     )
     BORDER_TITLE = "Scene"
 
     def __init__(self, *, id: str | None = None) -> None:
         super().__init__(id=id)
         self._picture: Picture | None = None
+        self._believed: Picture | None = None
         self._emphasis = Emphasis()
         self._arrangements: dict[tuple[str, int], Arrangement] = {}
 
@@ -36,9 +38,13 @@ class SceneView(RowsView):
         picture: Picture,
         emphasis: Emphasis | None = None,
         news: Sequence[str] = (),
+        believed: Picture | None = None,
     ) -> None:
-        """Show ``picture``; ``news`` says in words what just changed."""
-        self._picture = picture
+        """Show ``picture``; ``news`` says in words what just changed.
+
+        ``believed`` is what the robot takes the scene for, shown beside it.
+        """
+        self._picture, self._believed = picture, believed
         self._emphasis = emphasis or Emphasis()
         self.border_title = picture.title
         self.border_subtitle = f"✱ {'; '.join(news)}" if news else ""
@@ -48,10 +54,16 @@ class SceneView(RowsView):
     def _drawn(self, width: int) -> Sequence[Row]:
         if self._picture is None:
             return ()
-        key = (self._picture.title, width)
+        if self._believed is None:
+            return self._depicted(self._picture, width)
+        truth, belief = (self._depicted(p, half(width)) for p in (self._picture, self._believed))
+        return beside(truth, belief, width, ("As it is", "As the robot saw it"))
+
+    def _depicted(self, picture: Picture, width: int) -> Sequence[Row]:
+        key = (picture.title, width)
         if key not in self._arrangements:
-            self._arrangements[key] = arrange(self._picture, width)
-        return picture_rows(self._picture, width, self._arrangements[key], self._emphasis)
+            self._arrangements[key] = arrange(picture, width)
+        return picture_rows(picture, width, self._arrangements[key], self._emphasis)
 
     def _reveal_change(self) -> None:
         marked = [i for i, row in enumerate(self.rows) if any(s.style == "new" for s in row)]

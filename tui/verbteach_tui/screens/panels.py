@@ -1,0 +1,105 @@
+"""The panels of a session, taught in or played back: dialogue, scene, mind and what goes on."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from typing import ClassVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Container
+
+from verbteach_tui.screens.room import RoomScreen
+from verbteach_tui.snapshot import Moment, Snapshot
+from verbteach_tui.widgets.dialogue_view import DialogueView
+from verbteach_tui.widgets.mind_view import MindView
+from verbteach_tui.widgets.scene_view import SceneView
+from verbteach_tui.widgets.stage import Stage
+from verbteach_tui.widgets.tab_strip import TabStrip
+from verbteach_tui.widgets.title_bar import TitleBar
+
+TABS = (("dialogue", "F2", "Dialogue"), ("scene", "F3", "Scene"), ("mind", "F4", "Mind"))
+
+
+class PanelScreen(RoomScreen):
+    """Four panels where there is room, tabs where there is not."""
+
+    HORIZONTAL_BREAKPOINTS = [  # noqa: RUF012 (the base class declares its type)
+        (0, "-narrow"),
+        (76, "-normal"),
+        (110, "-wide"),
+        (170, "-very-wide"),
+    ]
+    AUTO_FOCUS = None
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("f2", "tab('dialogue')", "Dialogue", show=False, id="dialogue"),
+        Binding("f3", "tab('scene')", "Scene", show=False, id="scene"),
+        Binding("f4", "tab('mind')", "Mind", show=False, id="mind"),
+        Binding("f5", "verbs", "Verbs", id="verbs"),
+        Binding("f7", "belief", "Robot's view", id="belief"),
+    ]
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._believing = False
+        self._moment: Moment | None = None
+
+    @property
+    @abstractmethod
+    def snapshot(self) -> Snapshot:
+        """What is shown."""
+
+    def panels(self) -> ComposeResult:
+        """A title, the tabs and the panels."""
+        yield TitleBar(id="title")
+        yield TabStrip(id="tabs")
+        with Container(id="panels"):
+            yield DialogueView(id="dialogue")
+            yield SceneView(id="scene")
+            yield Stage(id="stage")
+            yield MindView(id="mind")
+
+    def show_panels(self, snapshot: Snapshot, played: bool, speed: float) -> bool:
+        """Show ``snapshot``; whether something goes on that has a panel of its own."""
+        self.query_one(DialogueView).show_lines(snapshot.lines)
+        self.query_one(MindView).show_mind(snapshot.mind)
+        self.query_one(TitleBar).show_title(snapshot.scene, snapshot.figures.texts)
+        on_stage = self.query_one(Stage).show_snapshot(snapshot, played, speed)
+        if not played:
+            self.show_moment(snapshot.moment)
+        return on_stage
+
+    def show_moment(self, moment: Moment) -> None:
+        """Show the scene at one moment."""
+        snapshot, self._moment = self.snapshot, moment
+        picture = snapshot.depictor.picture(moment.state, moment.before)
+        believed = snapshot.believed if self._believing else None
+        self.query_one(SceneView).show_picture(picture, snapshot.emphasis, moment.news, believed)
+
+    def choose_tab(self, name: str, on_stage: bool | None = None) -> None:
+        """Bring a panel into view where there is room for one only."""
+        # All at once: every change of the screen's classes restyles whatever is on it.
+        classes = {f"-tab-{word}": word == name for word, _, _ in TABS}
+        if on_stage is not None:
+            classes["-staged"] = on_stage
+        self.update_classes(classes)
+        self.query_one(TabStrip).show_tabs(TABS, name)
+
+    def action_tab(self, name: str) -> None:
+        """Bring a panel into view; where all are, give it the keys."""
+        self.choose_tab(name)
+        self.query_one(f"#{name}").focus()
+
+    def action_belief(self) -> None:
+        """Show beside the scene what the robot took it for, or no longer."""
+        self._believing = not self._believing
+        self.choose_tab("scene")
+        self.show_moment(self._moment or self.snapshot.moment)
+        if self._believing and self.snapshot.belief is None:
+            self.notify("The robot looks around when it gets a command; it is shown then.")
+
+    def action_verbs(self, frame: str = "") -> None:
+        """Look at the verbs the robot has learned."""
+        from verbteach_tui.screens.verbs import VerbsScreen
+
+        self.app.push_screen(VerbsScreen(self.snapshot, frame))
