@@ -16,11 +16,15 @@ from verbteach_tui.widgets.rows_view import RowsView
 from verbteach_tui.widgets.scene_view import SceneView
 from verbteach_tui.widgets.steps_view import StepsView
 
-FETCH = ("go to the kettle", "take the kettle", "go to the left burner")
+FETCH: tuple[str, ...] = ("go to the kettle", "take the kettle", "go to the left burner")
 
 
 def steps_of(here: Room) -> StepsView:
     return here.teach.query_one(StepsView)
+
+
+def shown(here: Room) -> tuple[str, ...]:
+    return here.teach.snapshot.shown
 
 
 def changed(here: Room) -> str:
@@ -40,7 +44,7 @@ async def test_a_step_is_inserted_before_another_from_the_lists_by_keyboard(tmp_
         assert here.app.focused.id == "actions"
         await here.choose("actions", "go to …")
         await here.choose("objects", "tap")
-        assert here.teach.snapshot.shown == ("go to the tap", *FETCH)
+        assert shown(here) == ("go to the tap", *FETCH)
         assert steps.at == 2, "one inserted step follows another"
         await here.line("go to the sink")
         assert here.teach.snapshot.shown[:2] == ("go to the tap", "go to the sink")
@@ -65,16 +69,16 @@ async def test_steps_are_taken_away_and_moved_with_one_key_each(tmp_path: Path) 
     async with room(tmp_path) as here:
         await here.lines("boil the water", *FETCH, "go to the tap")
         await here.key("f9", "up", "e")
-        assert here.teach.snapshot.shown == (*FETCH[:2], "go to the tap", FETCH[2])
+        assert shown(here) == (*FETCH[:2], "go to the tap", FETCH[2])
         assert steps_of(here).cursor == 2, "the cursor goes with the step"
         await here.key("l")
-        assert here.teach.snapshot.shown == (*FETCH, "go to the tap")
+        assert shown(here) == (*FETCH, "go to the tap")
         await here.key("x")
-        assert here.teach.snapshot.shown == FETCH
+        assert shown(here) == FETCH
         await here.key("u")
-        assert here.teach.snapshot.shown == (*FETCH, "go to the tap")
+        assert shown(here) == (*FETCH, "go to the tap")
         await here.key("home", "down", "X")
-        assert here.teach.snapshot.shown == FETCH[:1]
+        assert shown(here) == FETCH[:1]
 
 
 async def test_an_edit_that_cannot_be_is_explained_and_changes_nothing(tmp_path: Path) -> None:
@@ -82,7 +86,7 @@ async def test_an_edit_that_cannot_be_is_explained_and_changes_nothing(tmp_path:
         await here.lines("boil the water", *FETCH, "set the kettle on the left burner")
         before = here.teach.snapshot
         await here.key("f9", "home", "down", "x")
-        assert here.teach.snapshot.shown == before.shown
+        assert shown(here) == before.shown
         assert here.teach.snapshot.moment.state == before.moment.state
         assert "not holding the kettle" in changed(here)
 
@@ -118,7 +122,7 @@ async def test_the_same_by_mouse(tmp_path: Path) -> None:
         await here.click_target(steps, "0")
         assert steps.has_focus
         await here.click_target(bar, "remove_step")
-        assert here.teach.snapshot.shown == FETCH[:2]
+        assert shown(here) == FETCH[:2]
         await here.click_target(steps, "0")
         await here.click_target(bar, "insert_here")
         assert steps.at == 1
@@ -129,9 +133,9 @@ async def test_edits_are_typed_too(tmp_path: Path) -> None:
         await here.lines(
             "boil the water", *FETCH, "insert 1 go to the tap", "insert: 5 wait", "move: 5 4"
         )
-        assert here.teach.snapshot.shown == ("go to the tap", *FETCH[:2], "wait", FETCH[2])
+        assert shown(here) == ("go to the tap", *FETCH[:2], "wait", FETCH[2])
         await here.lines("move: 4 1", "remove: 1-2")
-        assert here.teach.snapshot.shown == FETCH
+        assert shown(here) == FETCH
 
 
 async def test_why_an_action_cannot_be_done_is_said_before_it_is_tried(tmp_path: Path) -> None:

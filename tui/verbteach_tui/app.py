@@ -14,8 +14,8 @@ from textual.command import CommandPalette
 from textual.screen import Screen
 
 from verbteach_tui.help_text import help_about, keys_of
-from verbteach_tui.messages import SessionLeft, SessionNotOpened, SessionOpened
-from verbteach_tui.options import AppOptions, OpenHome, OpenNew, OpenSession
+from verbteach_tui.messages import RecordOpened, SessionLeft, SessionNotOpened, SessionOpened
+from verbteach_tui.options import AppOptions, OpenHome, OpenNew, OpenRecord, OpenSession
 from verbteach_tui.screens.failure import NOT_OPENED, FailureScreen
 from verbteach_tui.screens.help import HelpScreen
 from verbteach_tui.screens.home import HomeScreen
@@ -110,17 +110,39 @@ class VerbteachApp(App[None]):
         """A session was chosen on the home screen."""
         self.open_session(message.opening)
 
-    def open_session(self, opening: OpenNew | OpenSession) -> None:
+    def open_session(self, opening: OpenNew | OpenSession | OpenRecord) -> None:
         """Open a session in a worker, and enter it when it is open."""
         what = opening.scene if isinstance(opening, OpenNew) else opening.path.name
         self.push_screen(OpeningScreen(what))
-        self.open_in_worker(opening)
+        if isinstance(opening, OpenRecord):
+            work = partial(self._recalled, opening)
+            self.run_worker(work, thread=True, exit_on_error=False, group="open")
+        else:
+            self.open_in_worker(opening)
 
     def open_in_worker(self, opening: OpenNew | OpenSession) -> None:
         """Open a session in a worker; ``SessionOpened`` or ``SessionNotOpened`` follows."""
         self.run_worker(
             partial(self._opened, opening), thread=True, exit_on_error=False, group="open"
         )
+
+    def _recalled(self, opening: OpenRecord) -> None:
+        try:
+            from verbteach_tui.past import Past
+
+            past = Past.open(opening.path, self.options.settings)
+        except Exception as error:
+            self.post_message(SessionNotOpened(error))
+        else:
+            self.post_message(RecordOpened(past, opening))
+
+    def on_record_opened(self, message: RecordOpened) -> None:
+        """Play a record back."""
+        from verbteach_tui.screens.replay import ReplayScreen
+
+        past, opening = message.past, message.opening
+        at = past.stop_at(opening.at)
+        self.switch_screen(ReplayScreen(past, opening.speed or 1.0, at, opening.speed > 0))
 
     def _opened(self, opening: OpenNew | OpenSession) -> None:
         try:

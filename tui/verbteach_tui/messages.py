@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from verbteach.world.fluents import Literal
     from verbteach.world.plan import Action
     from verbteach_sessions.script import ScriptAct
+    from verbteach_tui.options import OpenRecord
+    from verbteach_tui.past import Past
     from verbteach_tui.snapshot import Snapshot
     from verbteach_tui.teaching import Teaching
 
@@ -108,6 +110,15 @@ class SessionOpened(Message):
     def __init__(self, teaching: Teaching) -> None:
         super().__init__()
         self.teaching = teaching
+
+
+class RecordOpened(Message):
+    """A worker has recomputed a record to play back."""
+
+    def __init__(self, past: Past, opening: OpenRecord) -> None:
+        super().__init__()
+        self.past = past
+        self.opening = opening
 
 
 class SessionNotOpened(Message):

@@ -32,7 +32,19 @@ class OpenSession:
     path: Path
 
 
-Opening: TypeAlias = OpenHome | OpenNew | OpenSession
+@dataclass(frozen=True)
+class OpenRecord:
+    """Play back the session in this folder, from event ``at`` on.
+
+    ``speed`` is in turns a second; 0 stands still.
+    """
+
+    path: Path
+    at: int = 0
+    speed: float = 0.0
+
+
+Opening: TypeAlias = OpenHome | OpenNew | OpenSession | OpenRecord
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ import typer
 from verbteach_tui.commands.parameters import JsonFlag, ScenesFolder, SessionArgument
 from verbteach_tui.commands.streams import counting, emit, note, progress, tell
 from verbteach_tui.conclusion import CHECK_FAILED, WrongUseError
+from verbteach_tui.terminal import has_terminal
 
 LONGEST = 300  # characters of a differing value
 
@@ -26,9 +27,13 @@ def replay(
     ] = None,
     speed: Annotated[
         float,
-        typer.Option(min=0.0, metavar="X", help="1: as it was, 2: twice as fast, 0: at once."),
+        typer.Option(
+            min=0.0,
+            metavar="X",
+            help="As lines 1 is as it was, 0 at once; on the screen turns a second.",
+        ),
     ] = 0.0,
-    plain: Annotated[bool, typer.Option("--plain", help="As lines (always, so far).")] = False,
+    plain: Annotated[bool, typer.Option("--plain", help="As lines, also in a terminal.")] = False,
     policy: Annotated[
         str | None,
         typer.Option(
@@ -40,7 +45,10 @@ def replay(
     scenes: ScenesFolder = None,
     as_json: JsonFlag = False,
 ) -> None:
-    """Tell a session again, or with --verify recompute it and compare.
+    """Play a session back, or with --verify recompute it and compare.
+
+    In a terminal it opens the panels it was taught in; with --plain, or without
+    a terminal, it is told in lines.
 
     Exit status 1 where recomputing gives something else. A torn last line is a
     warning. With --policy the robot asks as another policy would; what the
@@ -52,8 +60,21 @@ def replay(
         _hold_again(session, policy, scenes, as_json)
     elif verify or as_json:
         _verify(session, to, scenes, as_json, verify)
-    else:
+    elif plain or not has_terminal():
         _tell(session, to, scenes, speed)
+    else:
+        _show(session, to, scenes, speed)
+
+
+def _show(session: Path, to: int | None, scenes: Path | None, speed: float) -> None:
+    from verbteach_tui.beginning import Beginning
+    from verbteach_tui.options import OpenRecord
+    from verbteach_tui.room import full_screen
+
+    folder = session.parent.parent if session.is_file() else session.parent
+    raise typer.Exit(
+        full_screen(Beginning(folder, "app", scenes=scenes), OpenRecord(session, to or 0, speed))
+    )
 
 
 def _tell(session: Path, to: int | None, scenes: Path | None, speed: float) -> None:

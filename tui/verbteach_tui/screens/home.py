@@ -16,7 +16,7 @@ from textual.screen import Screen
 from textual.widgets import OptionList, Static
 from textual.widgets.option_list import Option
 
-from verbteach_tui.options import OpenNew, OpenSession
+from verbteach_tui.options import OpenNew, OpenRecord, OpenSession
 from verbteach_tui.views.visible import visible
 from verbteach_tui.widgets.foot import Foot
 from verbteach_tui.widgets.scene_chooser import LoadScene, SceneChooser
@@ -38,18 +38,20 @@ class HomeScreen(Screen[None]):
     ]
     HELP = (
         "The home screen. At the top the scenes a new session can begin in, below them the "
-        "sessions that can be gone on with. Tab goes from one to the other, Enter starts."
+        "sessions that can be gone on with. Tab goes from one to the other, Enter starts; p plays "
+        "the chosen session back."
     )
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("q", "app.quit", "Quit"),
         Binding("n", "scenes", "New session"),
         Binding("c", "sessions", "Continue one"),
+        Binding("p", "play_back", "Play one back"),
     ]
 
     class Wanted(Message):
-        """The person wants to teach: in a new session, or going on with one."""
+        """The person wants to teach, in a new session or going on with one, or to look back."""
 
-        def __init__(self, opening: OpenNew | OpenSession) -> None:
+        def __init__(self, opening: OpenNew | OpenSession | OpenRecord) -> None:
             super().__init__()
             self.opening = opening
 
@@ -109,6 +111,15 @@ class HomeScreen(Screen[None]):
     def action_sessions(self) -> None:
         """To the sessions."""
         self.query_one("#sessions").focus()
+
+    def action_play_back(self) -> None:
+        """Play back the session under the cursor; first of all, go there."""
+        sessions = self.query_one("#sessions", OptionList)
+        chosen = sessions.highlighted_option
+        if not sessions.has_focus:
+            sessions.focus()
+        elif chosen is not None and chosen.id is not None:
+            self.post_message(self.Wanted(OpenRecord(Path(chosen.id))))
 
 
 def _label(entry: Entry) -> Content:

@@ -16,7 +16,7 @@ from verbteach_tui.messages import TargetPicked, WordSaid
 from verbteach_tui.observer import Observer
 from verbteach_tui.past import Past
 from verbteach_tui.screens.panels import TABS, PanelScreen
-from verbteach_tui.screens.turns import TurnPicker
+from verbteach_tui.screens.turns import LOOKING, TurnPicker
 from verbteach_tui.snapshot import Snapshot
 from verbteach_tui.spoken import in_words
 from verbteach_tui.turns import TurnChoice
@@ -99,8 +99,8 @@ class ReplayScreen(PanelScreen):
         self.choose_tab("scene" if self._shown.shown else "dialogue", on_stage)
         at, of = self._past.at + 1, len(self._past.stops)
         seconds = f"{self._past.event.at:.0f} s"
-        state = "playing" if self._playing else "at rest"
-        lead = f"Replay {at} of {of}, {seconds}, {state} at {self._speed:g} a second"
+        state = "playing" if self._playing else "paused"
+        lead = f"Replay {at} of {of}, {seconds}, {state}, {self._speed:g} a second"
         keys = _KEYS if not self._playing else (_KEYS[0]._replace(label="stop"), *_KEYS[1:])
         self.query_one(KeyBar).show_keys(lead, keys, _MORE)
 
@@ -161,7 +161,7 @@ class ReplayScreen(PanelScreen):
             choices.append(TurnChoice(index, shortened(text, 120), self._past.stop_at(turn.seq)))
         standing = max((c for c in choices if c.undone <= here), default=choices[0])
         marked = [c._replace(undone=here - c.undone if c != standing else 0) for c in choices]
-        self.app.push_screen(TurnPicker(marked), lambda back: self._jump(here, back))
+        self.app.push_screen(TurnPicker(marked, LOOKING), lambda back: self._jump(here, back))
 
     def _jump(self, here: int, back: int | None) -> None:
         if back:

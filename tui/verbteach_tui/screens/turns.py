@@ -15,6 +15,12 @@ from textual.widgets.option_list import Option
 
 from verbteach_tui.turns import TurnChoice
 
+UNDOING = (
+    "Enter goes there: what came after it is taken back, and ↷ can be done again. Nothing is lost "
+    "from the record. Escape stays here."
+)
+LOOKING = "Enter goes there. Escape stays here."
+
 
 class TurnPicker(ModalScreen[int | None]):
     """Answers with the number of acts to undo (below 0: to redo), or ``None`` to stay."""
@@ -25,20 +31,16 @@ class TurnPicker(ModalScreen[int | None]):
         "back, and can be done again from here until you say something else."
     )
 
-    def __init__(self, turns: Sequence[TurnChoice]) -> None:
+    def __init__(self, turns: Sequence[TurnChoice], advice: str = UNDOING) -> None:
         super().__init__()
-        self._turns = tuple(turns)
+        self._turns, self._advice = tuple(turns), advice
 
     def compose(self) -> ComposeResult:
         """The turns and what choosing one does."""
         with Vertical(classes="dialog -large") as dialog:
-            dialog.border_title = "Go back to right after …"
+            dialog.border_title = "Go to right after …"
             yield OptionList(*map(_option, self._turns), id="turns", compact=True)
-            yield Static(
-                "Enter goes there: what came after it is taken back, and ↷ can be done again. "
-                "Nothing is lost from the record. Escape stays here.",
-                classes="quiet",
-            )
+            yield Static(self._advice, classes="quiet")
 
     def on_mount(self) -> None:
         """Begin at the turn on the screen."""

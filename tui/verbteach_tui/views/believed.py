@@ -32,8 +32,8 @@ class Believed(NamedTuple):
         state, doubts = set[Fluent](), dict[Fluent, float]()
         for fluent, confidence in belief.items():
             placing = _is_place(fluent)
-            if placing and places[fluent.args[0]] != fluent:
-                continue
+            if placing and places[fluent.args[0]] != fluent and confidence < SURE:
+                continue  # it is likelier elsewhere
             if confidence <= 1.0 - SURE:
                 continue
             if placing or confidence > BELIEVED:
