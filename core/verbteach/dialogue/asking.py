@@ -33,6 +33,7 @@ from verbteach.verbs.knowledge import VerbKnowledge
 from verbteach.verbs.pool import PoolSource
 from verbteach.verbs.resemblance import Said
 from verbteach.verbs.seen_change import SeenChange, seen_change
+from verbteach.verbs.space import HypothesisSpace
 from verbteach.world.fluents import Literal
 
 _MOVED, _HANDLED = 10.0, 3.0
@@ -107,10 +108,15 @@ def known_phrases(grounding: GroundingBelief) -> GroundingBelief:
 def confirmed_memory(knowledge: VerbKnowledge) -> Memory:
     """What a teacher said yes to: goals read back or carried out. Without any, all that was shown.
 
-    A person's word on what belongs to a goal counts for more than what happened to change.
+    A person's word on what belongs to a goal counts for more than what happened to
+    change. Of one lesson the smallest goal is kept: the one that was read back.
     """
     spaces = [space for space in knowledge.spaces if space.nodes]
-    kept = [space for space in spaces if space.confirmed] or spaces
+    confirmed = [space for space in spaces if space.confirmed]
+    smallest: dict[str, HypothesisSpace] = {}
+    for space in sorted(confirmed, key=lambda space: len(space.base)):
+        smallest.setdefault(space.demonstration.id.rpartition("/")[0], space)
+    kept = list(smallest.values()) or spaces
     return Memory.keeping(
         Example(s.demonstration, s.nodes[0].literals, s.nodes[0].bindings[0]) for s in kept
     )
