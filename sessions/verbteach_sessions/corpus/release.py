@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -83,23 +83,38 @@ def check_release(
     problems: list[Reason] = []
     warnings: list[Reason] = []
     for done, path in enumerate(corpus.sessions, start=1):
-        found = validate(path, settings)
-        old = _is_of_other_software(path)
-        for one in found.problems:
-            # Another version may word or choose otherwise; what was recorded stays the authority.
-            kind = warnings if one.rule == "replay" and old else problems
-            kind.append(Reason("valid", path.name, f"{one.rule}: {one.message}"))
-        warnings += [Reason("valid", path.name, w.message) for w in found.warnings]
+        _validated(path, settings, problems, warnings)
         heard("records", done)
-    if not problems:  # what cannot be read cannot be looked at either
-        scanner = Scanner(corpus.names)
-        for done, path in enumerate(corpus.sessions, start=1):
-            problems += _about_people(path, scanner)
-            warnings += _without_study(path)
-            heard("people", done)
-        problems += _about_splits(corpus)
-        problems += _about_datasheet(corpus)
+    # What cannot be read cannot be looked at either; all else is said at once.
+    readable = replace(corpus, sessions=[path for path in corpus.sessions if _reads(path)])
+    scanner = Scanner(corpus.names)
+    for done, path in enumerate(readable.sessions, start=1):
+        problems += _about_people(path, scanner)
+        warnings += _without_study(path)
+        heard("people", done)
+    problems += _about_splits(readable)
+    problems += _about_datasheet(readable)
     return Release(tuple(problems), tuple(warnings))
+
+
+def _validated(
+    path: Path, settings: Settings, problems: list[Reason], warnings: list[Reason]
+) -> None:
+    found = validate(path, settings)
+    warnings += [Reason("valid", path.name, one.message) for one in found.warnings]
+    old = bool(found.problems) and _is_of_other_software(path)
+    for one in found.problems:
+        # Another version may word or choose otherwise; what was recorded stays the authority.
+        kind = warnings if one.rule == "replay" and old else problems
+        kind.append(Reason("valid", path.name, f"{one.rule}: {one.message}"))
+
+
+def _reads(path: Path) -> bool:
+    try:
+        read_dialogue(path)
+    except SessionError:
+        return False
+    return True
 
 
 def _is_of_other_software(path: Path) -> bool:

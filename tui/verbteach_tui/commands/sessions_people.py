@@ -118,11 +118,15 @@ def _confirmed(found: Withdrawal, yes: bool) -> bool:
     """Whether the person at the keyboard types the code once more."""
     if yes:
         return True
-    if not sys.stdin.isatty():
+    if not _at_terminal():
         raise WrongUseError("deleting needs a terminal to confirm on, or --yes")
     print(f"Type the code to delete {len(found.sessions)} sessions: ", end="", file=sys.stderr)
     sys.stderr.flush()
     return sys.stdin.readline().strip() == found.participant
+
+
+def _at_terminal() -> bool:
+    return sys.stdin.isatty()
 
 
 def _print(found: Withdrawal) -> None:
