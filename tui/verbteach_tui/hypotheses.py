@@ -129,6 +129,7 @@ def _node(
         node.base > 0,
         node.confirmed > 0,
         news.get(node.literals, ""),
+        node.literals,
     )
 
 

@@ -104,6 +104,16 @@ class NodeChosen(Message):
         self.name = name
 
 
+class ConditionJudged(Message):
+    """A condition of a learned hypothesis was confirmed (``wanted``) or struck out."""
+
+    def __init__(self, node: str, index: int, wanted: bool) -> None:
+        super().__init__()
+        self.node = node
+        self.index = index
+        self.wanted = wanted
+
+
 class SessionOpened(Message):
     """A worker has opened a session."""
 

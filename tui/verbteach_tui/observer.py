@@ -52,7 +52,7 @@ class _Place:
 
     @cached_property
     def wording(self) -> Wording:
-        return Wording(self.depictor.labels, self.setting.lexicon)
+        return Wording(self.depictor.labels, self.setting.lexicon, self.setting.scene.domain)
 
     @cached_property
     def steps(self) -> StepBook:

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from verbteach.dialogue import acts
+from verbteach.verbs.space import FrameKey
 from verbteach.world.fluents import FluentSyntaxError, Literal
 from verbteach.world.plan import Action
 from verbteach_sessions.history import Node
 from verbteach_sessions.transcript import ROBOT, TEACHER, Line
+from verbteach_tui.hypotheses import Vocabulary, title_of
 from verbteach_tui.views.dialogue import CONSEQUENCE, DialogueLine
 from verbteach_tui.views.wording import Wording
 from verbteach_tui.watched import Watched
@@ -104,6 +106,26 @@ def _removed(text: str, wording: Wording) -> str:
     return f"without steps {first} to {last}" if dash else f"without step {first}"
 
 
+def _ruled_out(text: str, wording: Wording) -> str:
+    title, fluent = _learned(text, wording)
+    return f"{title} need not mean that {fluent}"
+
+
+def _confirmed(text: str, wording: Wording) -> str:
+    title, fluent = _learned(text, wording)
+    return f"{title} means that {fluent}"
+
+
+def _learned(text: str, wording: Wording) -> tuple[str, str]:
+    """The verb frame and the fluent of a correction, in words."""
+    if wording.domain is None:
+        raise ValueError("these words know no domain")
+    frame, _, rest = text.partition(" ")
+    literal = Literal.parse(rest.partition(" of ")[0])
+    words = Vocabulary(wording.domain, wording.lexicon)
+    return title_of(FrameKey.parse(frame)), words.conditions((literal,))[0]
+
+
 _TOLD: Mapping[str, Callable[[str, Wording], str]] = {
     acts.Do.name: lambda text, wording: wording.action(Action.parse(text)),
     acts.Insert.name: _inserted,
@@ -112,5 +134,7 @@ _TOLD: Mapping[str, Callable[[str, Wording], str]] = {
     acts.Point.name: lambda text, wording: f"the {wording.labels[text]}",
     acts.Strike.name: lambda text, wording: f"strike: {wording.holds(Literal.parse(text))}",
     acts.Keep.name: lambda text, wording: f"keep: {wording.holds(Literal.parse(text))}",
+    acts.RuleOut.name: _ruled_out,
+    acts.Confirm.name: _confirmed,
     acts.GoToScene.name: lambda text, wording: f"go to {text}",
 }

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from typing import ClassVar
+from collections.abc import Callable
+from typing import TYPE_CHECKING, ClassVar
 
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
@@ -17,6 +18,9 @@ from verbteach_tui.widgets.scene_view import SceneView
 from verbteach_tui.widgets.stage import Stage
 from verbteach_tui.widgets.tab_strip import TabStrip
 from verbteach_tui.widgets.title_bar import TitleBar
+
+if TYPE_CHECKING:
+    from verbteach_tui.screens.verbs import Revising
 
 TABS = (("dialogue", "F2", "Dialogue"), ("scene", "F3", "Scene"), ("mind", "F4", "Mind"))
 
@@ -102,4 +106,8 @@ class PanelScreen(RoomScreen):
         """Look at the verbs the robot has learned."""
         from verbteach_tui.screens.verbs import VerbsScreen
 
-        self.app.push_screen(VerbsScreen(self.snapshot, frame))
+        self.app.push_screen(VerbsScreen(self.snapshot, frame, self.reviser()))
+
+    def reviser(self) -> Callable[[Revising], None] | None:
+        """Takes corrections of what was learned; ``None`` where there are none to make."""
+        return None

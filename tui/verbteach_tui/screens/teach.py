@@ -32,6 +32,7 @@ from verbteach_tui.screens.failure import FailureScreen
 from verbteach_tui.screens.panels import TABS
 from verbteach_tui.screens.scenes import ScenePicker
 from verbteach_tui.screens.turns import TurnPicker
+from verbteach_tui.screens.verbs import Revising, VerbsScreen
 from verbteach_tui.snapshot import Snapshot
 from verbteach_tui.teaching import Teaching
 from verbteach_tui.turns import turns_of
@@ -162,6 +163,9 @@ class TeachScreen(AnsweringScreen):
             self.post_message(SessionLeft(self.teaching, self._after_leaving))
             return
         self._show(message.snapshot, message.played)
+        for screen in self.app.screen_stack:
+            if isinstance(screen, VerbsScreen):
+                screen.show_snapshot(message.snapshot)
 
     def on_refused(self, message: Refused) -> None:
         """What was said does not fit; nothing has changed."""
@@ -219,6 +223,16 @@ class TeachScreen(AnsweringScreen):
             self._answer_with_keys()
         else:
             self.action_type()
+
+    def reviser(self) -> Callable[[Revising], None]:
+        """Corrections are said to the robot, between two commands."""
+        return self._revise
+
+    def _revise(self, act: Revising) -> None:
+        if self.snapshot.phase is Phase.COMMAND:
+            self.say(act, render(act), "picked")
+        else:
+            self.notify("Finish this command first, or skip it; then correct what was learned.")
 
     def action_turns(self) -> None:
         """Go back to an earlier turn, or forward again to one that was taken back."""

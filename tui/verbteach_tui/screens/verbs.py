@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Callable
+from typing import ClassVar, TypeAlias
 
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
@@ -12,17 +13,20 @@ from textual.screen import Screen
 from textual.widgets import OptionList
 from textual.widgets.option_list import Option
 
+from verbteach.dialogue import acts
 from verbteach.verbs.space import FrameKey
 from verbteach_tui.hypotheses import hypothesis_graph
-from verbteach_tui.messages import NodeChosen, TargetPicked
+from verbteach_tui.messages import ConditionJudged, NodeChosen, TargetPicked
 from verbteach_tui.snapshot import Snapshot
-from verbteach_tui.views.graph import HypothesisGraph, describe_node
+from verbteach_tui.views.graph import HypothesisGraph
 from verbteach_tui.views.mind import KnownVerb
-from verbteach_tui.views.rows import Span, wrapped
 from verbteach_tui.widgets.foot import Foot
 from verbteach_tui.widgets.hypothesis_view import HypothesisView
-from verbteach_tui.widgets.rows_view import RowsView
+from verbteach_tui.widgets.node_view import NodeView
 from verbteach_tui.widgets.title_bar import TitleBar
+
+Revising: TypeAlias = acts.RuleOut | acts.Confirm
+"""What the teacher can say about a fluent that was learned."""
 
 _NOTHING = (
     "The robot knows no verb yet. Go back, give a command, show what it means and say that the "
@@ -40,12 +44,17 @@ class VerbsScreen(Screen[None]):
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape,f5", "dismiss", "Back"),
         Binding("tab", "app.focus_next", "Next panel", show=False),
+        Binding("x,delete", "judge(False)", "Strike out"),
+        Binding("c", "judge(True)", "Confirm"),
     ]
 
-    def __init__(self, snapshot: Snapshot, frame: str = "") -> None:
+    def __init__(
+        self, snapshot: Snapshot, frame: str = "", revise: Callable[[Revising], None] | None = None
+    ) -> None:
         super().__init__()
         self._snapshot = snapshot
         self._frame = frame
+        self._revise = revise
         self._graph = HypothesisGraph("")
 
     def compose(self) -> ComposeResult:
@@ -55,31 +64,41 @@ class VerbsScreen(Screen[None]):
             yield OptionList(id="frames", compact=True)
             with Vertical(id="meaning"):
                 yield HypothesisView(id="graph")
-                yield RowsView(id="node")
+                yield NodeView(id="node")
         yield Foot()
 
     def on_mount(self) -> None:
         """List the verbs; the one that was just learned first."""
-        verbs = self._snapshot.mind.verbs
-        self.query_one(TitleBar).show_title(f"{self._snapshot.scene}  ·  verbs", ())
+        self.query_one("#frames", OptionList).border_title = "Verbs"
+        self.show_snapshot(self._snapshot)
+        if self._snapshot.mind.verbs:
+            self.query_one(HypothesisView).focus()
+
+    def show_snapshot(self, snapshot: Snapshot) -> None:
+        """Show what the robot knows now; the verb that was chosen stays so."""
+        self._snapshot, verbs = snapshot, snapshot.mind.verbs
+        self.query_one(TitleBar).show_title(f"{snapshot.scene}  ·  verbs", ())
         frames = self.query_one("#frames", OptionList)
-        frames.border_title = "Verbs"
-        frames.set_options(Option(_label(verb), id=verb.target) for verb in verbs)
-        self.query_one("#node", RowsView).border_title = "What it says"
+        chosen = frames.highlighted_option
+        wanted = chosen.id if chosen else self._frame
+        with self.prevent(OptionList.OptionHighlighted):
+            frames.set_options(Option(_label(verb), id=verb.target) for verb in verbs)
         if not verbs:
-            self.query_one("#node", RowsView).show(lambda w: wrapped([Span(_NOTHING)], w))
+            self.query_one(NodeView).tell(_NOTHING)
             return
-        wanted = [i for i, verb in enumerate(verbs) if verb.target == self._frame]
+        before = [i for i, verb in enumerate(verbs) if verb.target == wanted]
         fresh = [i for i, verb in enumerate(verbs) if verb.news]
-        frames.highlighted = (wanted or fresh or [0])[0]
-        self.query_one(HypothesisView).focus()
+        frames.highlighted = (before or fresh or [0])[0]
+        self._show_frame(verbs[frames.highlighted].target)
 
     def on_option_list_option_highlighted(self, message: OptionList.OptionHighlighted) -> None:
         """Another verb."""
-        if message.option_id is None:
-            return
-        snapshot = self._snapshot
-        key = FrameKey.parse(message.option_id)
+        if message.option_id is not None:
+            self._show_frame(message.option_id)
+
+    def _show_frame(self, frame: str) -> None:
+        snapshot, self._frame = self._snapshot, frame
+        key = FrameKey.parse(frame)
         self._graph = hypothesis_graph(
             snapshot.knowledge, snapshot.learned_from, key, snapshot.words
         )
@@ -87,14 +106,26 @@ class VerbsScreen(Screen[None]):
         view.border_title = f"{self._graph.title}: specific to general"
         view.show_graph(self._graph)
 
+    def action_judge(self, wanted: bool) -> None:
+        """Confirm the chosen condition, or strike it out."""
+        self.query_one(NodeView).judge(wanted)
+
+    def on_condition_judged(self, message: ConditionJudged) -> None:
+        """Say so to the robot."""
+        node = self._graph.nodes[message.node]
+        if self._revise is None:
+            self.notify("What was recorded cannot be changed.")
+            return
+        kind = acts.Confirm if message.wanted else acts.RuleOut
+        self._revise(kind(self._frame, frozenset(node.literals), node.literals[message.index]))
+
     def on_option_list_option_selected(self, message: OptionList.OptionSelected) -> None:
         """Into the graph."""
         self.query_one(HypothesisView).focus()
 
     def on_node_chosen(self, message: NodeChosen) -> None:
         """Another hypothesis."""
-        graph = self._graph
-        self.query_one("#node", RowsView).show(lambda w: describe_node(graph, message.name, w))
+        self.query_one(NodeView).show_node(self._graph, message.name)
 
     def on_target_picked(self, message: TargetPicked) -> None:
         """A link to another hypothesis was clicked."""

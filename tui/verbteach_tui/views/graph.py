@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeVar
 
+from verbteach.world.fluents import Literal
 from verbteach_tui.views.braille import BrailleCanvas
 from verbteach_tui.views.rows import Row, Span, clipped, wrapped
 from verbteach_tui.views.visible import shortened
@@ -18,6 +19,9 @@ GAP = 2
 
 _BETWEEN = 2
 
+CONDITION = "condition:"
+"""Begins the target of a hypothesis' condition; its index follows."""
+
 
 @dataclass(frozen=True)
 class GraphNode:
@@ -27,7 +31,8 @@ class GraphNode:
     fluents in words. ``demonstrations`` are the commands that it was seen in,
     ``frequency`` how many. ``whole``: a demonstration's whole goal;
     ``confirmed``: its teacher said so. ``news`` says what the last learning did
-    to it: "new", "seen again", or nothing.
+    to it: "new", "seen again", or nothing. ``literals`` are the conditions as the
+    record names them, in their order.
     """
 
     name: str
@@ -37,6 +42,7 @@ class GraphNode:
     whole: bool = False
     confirmed: bool = False
     news: str = ""
+    literals: tuple[Literal, ...] = ()
 
     @property
     def label(self) -> str:
@@ -174,15 +180,20 @@ def _link_row(canvas: BrailleCanvas, y: int) -> Row:
     return tuple(Span(character, style or "text") for character, style in cells)
 
 
-def describe_node(graph: HypothesisGraph, name: str, width: int) -> list[Row]:
-    """What a node says: its conditions, where it comes from, and what lies around it."""
+def describe_node(graph: HypothesisGraph, name: str, width: int, cursor: int = -1) -> list[Row]:
+    """What a node says: its conditions, where it comes from, and what lies around it.
+
+    ``cursor`` is the index of the condition that is chosen.
+    """
     node = graph.nodes.get(name)
     if node is None:
         return wrapped([Span("No hypothesis is chosen.", "muted")], width)
     rows = wrapped([Span(f"{node.name}: {_rank(graph, node)}", "strong")], width, 3)
     rows += wrapped([Span("What must hold afterwards", "muted")], width)
-    for text in node.conditions:
-        rows += wrapped([Span(text)], width, 4, [Span("  ● ", "good")])
+    for index, text in enumerate(node.conditions):
+        style, target = ("strong" if index == cursor else "text"), f"{CONDITION}{index}"
+        mark = [Span("▸ " if index == cursor else "  ", "accent"), Span("● ", "good", target)]
+        rows += wrapped([Span(text, style, target)], width, 4, mark)
     rows += _around(graph, node, width)
     return rows
 

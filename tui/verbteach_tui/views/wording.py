@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from string import Formatter
 
 from verbteach.language.lexicon import Lexicon
+from verbteach.world.domain import Domain
 from verbteach.world.fluents import Literal
 from verbteach.world.plan import Action
 from verbteach_tui.views.labels import Labels, from_id
@@ -15,9 +16,10 @@ from verbteach_tui.views.visible import visible
 class Wording:
     """Words for one scene. A predicate or action that the lexicon lacks reads as its own name."""
 
-    def __init__(self, labels: Labels, lexicon: Lexicon) -> None:
+    def __init__(self, labels: Labels, lexicon: Lexicon, domain: Domain | None = None) -> None:
         self.labels = labels
         self.lexicon = lexicon
+        self.domain = domain
 
     def holds(self, literal: Literal) -> str:
         """As in: the mug is on the table."""
