@@ -1,7 +1,7 @@
 """Parts of a corpus: train, validation and test, with no person in two of them.
 
-Sessions that go on from one another or hold the same words stay together as
-well: else one part would know what another asks.
+Sessions that go on or branch off from one another, or hold the same words, stay
+together as well: else one part would know what another asks.
 """
 
 from __future__ import annotations
@@ -27,17 +27,23 @@ class SplitError(SessionError):
 
 
 class Member(NamedTuple):
-    """What of a session decides which others it stays with."""
+    """What of a session decides which others it stays with; ``kin`` are those it comes from."""
 
     session: str
     participant: str | None
-    source: str | None
+    kin: tuple[str, ...]
     content_hash: str
 
 
 def member(dialogue: Dialogue) -> Member:
     """The member that a dialogue is."""
-    return Member(dialogue.id, dialogue.participant, dialogue.source, dialogue.content_hash)
+    kin = [dialogue.source, dialogue.parent[0] if dialogue.parent else None]
+    return Member(
+        dialogue.id,
+        dialogue.participant,
+        tuple(one for one in kin if one is not None),
+        dialogue.content_hash,
+    )
 
 
 @dataclass(frozen=True)
@@ -71,7 +77,7 @@ def make_splits(
     """
     if min(shares) < 0 or abs(sum(shares) - 1) > 1e-9:
         raise SplitError(f"shares {shares} are not three numbers from 0 up that add up to 1")
-    groups = grouped(sorted(members))
+    groups = grouped(list(members))
     total = sum(map(len, groups))
     filled: Counter[str] = Counter()
     parts: dict[str, str] = {}
@@ -90,8 +96,8 @@ def grouped(members: Sequence[Member]) -> list[list[str]]:
         links.join(f"session {one.session}", f"words {one.content_hash}")
         if one.participant is not None:
             links.join(f"session {one.session}", f"person {one.participant}")
-        if one.source is not None:
-            links.join(f"session {one.session}", f"session {one.source}")
+        for other in one.kin:
+            links.join(f"session {one.session}", f"session {other}")
     groups: dict[str, list[str]] = {}
     for one in members:
         groups.setdefault(links.root(f"session {one.session}"), []).append(one.session)

@@ -66,7 +66,7 @@ def find(folder: Path, code: str) -> Withdrawal:
     if not own and not exports and not home_there:
         raise NotASessionError(f"{folder}: holds nothing of a participant {code}")
     names = {path.name for path in own}
-    others = tuple(path for path in every if path not in own and _source(path) in names)
+    others = tuple(path for path in every if path not in own and names & _kin(path))
     return Withdrawal(code, folder, own, home if home_there else None, exports, others)
 
 
@@ -117,9 +117,11 @@ def _participant(path: Path) -> str | None:
     return known if known is not None else _header(path).get("participant")
 
 
-def _source(path: Path) -> str | None:
-    source = _header(path).get("source")
-    return source.get("id") if isinstance(source, dict) else None
+def _kin(path: Path) -> set[str]:
+    """The sessions that this one goes on from or branched from."""
+    header = _header(path)
+    found = (header.get(name) for name in ("source", "parent"))
+    return {str(one.get("id")) for one in found if isinstance(one, dict)}
 
 
 def _header(path: Path) -> dict[str, Any]:

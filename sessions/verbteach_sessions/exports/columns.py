@@ -243,6 +243,18 @@ SESSIONS = Table(
             lambda d: json_text(d.questionnaires),
         ),
         Column("source", Maybe(TEXT), "alias of the session it goes on from", lambda d: d.source),
+        Column(
+            "parent",
+            Maybe(TEXT),
+            "alias of the session it branched from",
+            lambda d: None if d.parent is None else d.parent[0],
+        ),
+        Column(
+            "parent_event",
+            Maybe(INTEGER),
+            "the last event that both share",
+            lambda d: None if d.parent is None else d.parent[1],
+        ),
         Column("content_hash", TEXT, "of the whole record", lambda d: d.content_hash),
         Column("ended", FLAG, "whether it was left in good order", lambda d: d.ended),
         Column("seconds", NUMBER, "how long it took", lambda d: d.seconds),

@@ -84,6 +84,7 @@ class Turn:
 class Dialogue:
     """A session. ``id`` is its alias, ``source`` that of the session it goes on from.
 
+    A branch has a ``parent``: the other session's alias, and the last event they share.
     ``prices`` are what questions cost, answered with yes and otherwise.
     ``questionnaires`` hold the answers given last, by name and question.
     ``seconds`` is how long it took in session time. ``split`` is the part of a
@@ -102,6 +103,7 @@ class Dialogue:
     software: Mapping[str, str]
     study: Mapping[str, Any] | None
     source: str | None
+    parent: tuple[str, int] | None
     content_hash: str
     ended: bool
     seconds: float

@@ -66,7 +66,7 @@ def read_dialogue(path: Path, redact: Redact = nothing) -> Dialogue:
 
 def _described(header: Mapping[str, Any], current: Node) -> Dialogue:
     policy = header["policy"]
-    source = header["source"]
+    source, parent = header["source"], header.get("parent")
     return Dialogue(
         id=alias(header["id"]),
         participant=header["participant"],
@@ -80,6 +80,7 @@ def _described(header: Mapping[str, Any], current: Node) -> Dialogue:
         software={**header["software"], "python": header["python"]},
         study=header["study"],
         source=None if source is None else alias(source["id"]),
+        parent=None if parent is None else (alias(parent["id"]), parent["seq"]),
         content_hash="",
         ended=False,
         seconds=0.0,

@@ -24,7 +24,8 @@ from verbteach_sessions.study.progress import VISIT_NAME
 def test_finding_changes_nothing(mine: tuple[Path, ...]) -> None:
     found = find(mine[0].parent, ANNA)
     assert found.sessions == (mine[0],)
-    assert found.exports == found.others == ()
+    assert found.exports == ()
+    assert found.others == ()
     assert all(path.exists() for path in mine)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from dataclasses import asdict
 from pathlib import Path
 
@@ -12,7 +13,9 @@ from tests.sessions.corpora import ANNA, MAIL
 from tests.sessions.records import first, forge, read_events
 from tests.sessions.rooms import babble, begin
 from verbteach.dialogue.rewards import Rewards
+from verbteach_sessions.branching import branch
 from verbteach_sessions.corpus.redactions import Decision, Redactor
+from verbteach_sessions.corpus.splits import grouped, member
 from verbteach_sessions.errors import LogError
 from verbteach_sessions.eventlog import LogReader
 from verbteach_sessions.exports.alias import alias, timeless
@@ -120,3 +123,13 @@ def test_the_persons_turns_bear_what_was_on_the_screen(dialogues: tuple[Dialogue
             assert turn.reply_to is not None
             screen = dialogues[2].turns[turn.reply_to]
             assert (turn.phase, turn.scene) == (screen.phase, screen.scene)
+
+
+def test_a_branch_names_its_parent_by_its_alias(corpus: tuple[Path, ...], tmp_path: Path) -> None:
+    copy = Path(shutil.copytree(corpus[1], tmp_path / corpus[1].name))
+    made = branch(copy, tmp_path, at=3)
+    dialogue, whole = read_dialogue(made.path), read_dialogue(copy)
+    assert dialogue.parent == (alias(corpus[1].name), 3)
+    assert dialogue.id != whole.id
+    assert [t.text for t in dialogue.turns] == [t.text for t in whole.turns[:3]]
+    assert grouped([member(whole), member(dialogue)]) == [sorted([whole.id, dialogue.id])]
