@@ -74,7 +74,8 @@ def _deliberate_asking(draft: Draft) -> None:
     """The policy chooses among all questions and the goal it would carry out."""
     inquiry = execution_inquiry(draft)
     ranked = () if inquiry.pool.empty else inquiry.pool.goals(_CONSIDERED)
-    draft.update(goals=tuple(RankedGoal(goal, value) for goal, value in ranked))
+    total = math.fsum(value for _, value in ranked) or 1.0
+    draft.update(goals=tuple(RankedGoal(goal, value / total) for goal, value in ranked))
     act = draft.choose(sensible(draft, inquiry.candidates()), Phase.EXECUTION)
     if isinstance(act, QUESTIONS):
         ask(draft, act, Phase.EXECUTION)
