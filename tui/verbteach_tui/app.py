@@ -25,6 +25,7 @@ from verbteach_tui.themes import DEFAULT, THEMES, VARIABLES
 
 if TYPE_CHECKING:
     from verbteach.world.scene import Scene
+    from verbteach_tui.lab.lab import Lab
     from verbteach_tui.teaching import Teaching
 
 WARMING = 0.5
@@ -66,6 +67,7 @@ class VerbteachApp(App[None]):
         self.options = options
         self.failure: Exception | None = None
         self._open: list[Teaching] = []
+        self._lab: Lab | None = None
         if "SSH_CONNECTION" in os.environ and "TEXTUAL_ANIMATIONS" not in os.environ:
             self.animation_level = "none"  # every frame would go over the wire
         stock = list(self.available_themes)
@@ -184,8 +186,20 @@ class VerbteachApp(App[None]):
         else:
             self.exit()
 
+    def action_lab(self) -> None:
+        """Into the lab; what goes on there goes on when it is left."""
+        from verbteach_tui.lab.lab import Lab
+        from verbteach_tui.lab.results import lab_folder
+        from verbteach_tui.screens.lab import LabScreen
+
+        if self._lab is None:
+            self._lab = Lab(lab_folder(self.options.sessions))
+        self.push_screen(LabScreen(self._lab))
+
     def close_sessions(self) -> None:
-        """Let go of every session that was opened."""
+        """Let go of every session that was opened, and of the lab."""
+        if self._lab is not None:
+            self._lab.close()
         for teaching in self._open:
             teaching.close()
 

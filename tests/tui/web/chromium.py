@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import asyncio
+import base64
+import re
 import shutil
 import subprocess
 from collections.abc import AsyncIterator, Callable
@@ -16,6 +18,7 @@ import aiohttp
 PROGRAM = shutil.which("chromium") or shutil.which("chromium-browser")
 LONGEST = 90.0  # seconds for anything to happen on a busy machine
 
+_ANSI = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]")
 _NAMED = {
     "enter": ("Enter", "Enter", 13, "\r"),
     "tab": ("Tab", "Tab", 9, ""),
@@ -32,6 +35,7 @@ class Browser:
         self._socket = socket
         self._numbers = count(1)
         self._waiting: dict[int, asyncio.Future[dict[str, Any]]] = {}
+        self._pages: dict[str, Page] = {}
         self._reader = asyncio.create_task(self._read())
 
     async def visit(self, url: str) -> Page:
@@ -44,7 +48,8 @@ class Browser:
         target = await self.ask("Target.createTarget", url="about:blank", browserContextId=context)
         target_id = target["targetId"]
         joined = await self.ask("Target.attachToTarget", targetId=target_id, flatten=True)
-        page = Page(self, joined["sessionId"], context)
+        page = self._pages[joined["sessionId"]] = Page(self, joined["sessionId"], context)
+        await page.ask("Network.enable")
         await page.ask("Page.enable")
         await page.ask("Page.navigate", url=url)
         return page
@@ -69,6 +74,8 @@ class Browser:
             if message.type is not aiohttp.WSMsgType.TEXT:
                 continue
             data = message.json()
+            if data.get("method") == "Network.webSocketFrameReceived":
+                self._pages[data["sessionId"]].receive(data["params"]["response"])
             waiting = self._waiting.pop(data.get("id", 0), None)
             if waiting is None or waiting.done():
                 continue
@@ -83,6 +90,18 @@ class Page:
 
     def __init__(self, browser: Browser, session: str, context: str) -> None:
         self.browser, self._session, self.context = browser, session, context
+        self._painted = ""
+
+    def receive(self, frame: dict[str, Any]) -> None:
+        """Something came for the terminal in the page."""
+        if frame["opcode"] == 2:
+            self._painted += base64.b64decode(frame["payloadData"]).decode("utf-8", "replace")
+
+    async def shows(self, text: str) -> None:
+        """Wait until the terminal has been told to paint ``text`` since this was last asked."""
+        await happens(lambda: text in _ANSI.sub("", self._painted))
+        self._painted = ""
+        await asyncio.sleep(0.3)
 
     async def ask(self, method: str, **parameters: Any) -> dict[str, Any]:
         """Send a command about this page."""

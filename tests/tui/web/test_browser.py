@@ -41,7 +41,7 @@ def robot_turns(log: Path) -> int:
 async def answered(log: Path, turns: int) -> None:
     """Wait for the robot, and for the answer to be on the screen."""
     await happens(lambda: robot_turns(log) >= turns)
-    await asyncio.sleep(1.2)
+    await asyncio.sleep(0.8)  # longer than the guard against words typed as keys
 
 
 async def teach_to_open(page: Page, log: Path) -> None:
@@ -50,15 +50,17 @@ async def teach_to_open(page: Page, log: Path) -> None:
     command, *steps, done, right = SHOW
     await page.type(command)
     await answered(log, before + 1)
+    await page.shows("Show it")
     await page.press("/")
-    await asyncio.sleep(1)
     for number, step in enumerate(steps, start=2):
+        await page.shows("type and press Enter" if number == 2 else "So far")
         await page.type(step)
         await answered(log, before + number)
     await page.press("escape")
-    await asyncio.sleep(0.8)
+    await asyncio.sleep(1)
     await page.press(done[0])
     await answered(log, before + 4)
+    await page.shows("Is that the goal?")
     await page.press(right[0])
     await answered(log, before + 5)
 
@@ -68,6 +70,7 @@ async def started(page: Page, records: Path, sessions: int = 1) -> Path:
     await happens(lambda: len(logs(records)) >= sessions)
     newest = max(logs(records), key=lambda log: log.stat().st_mtime)
     await answered(newest, 1)
+    await page.shows("type and press Enter")
     return newest
 
 
@@ -84,6 +87,7 @@ async def test_a_key_script_leaves_the_same_content_as_in_plain_lines(tmp_path: 
         async with chromium(tmp_path / "profile") as browser:
             page = await browser.visit(address)
             await page.ready()
+            await page.shows("Choose a room")
             await page.press("enter")
             log = await started(page, records)
             await teach_to_open(page, log)
@@ -110,11 +114,13 @@ async def test_visitors_are_kept_apart_and_tokens_let_one_browser_in(tmp_path: P
             await one.ready()
             assert "token" not in await one.value("location.href")
             await refused(browser, f"{address}?token=first-token-1", "another browser")
+            await one.shows("Choose a room")
             await one.press("enter")
             first = await started(one, records)
             await one.type("open the fridge")
             await answered(first, 2)
             await other.ready()
+            await other.shows("Choose a room")
             await other.press("enter")
             second = await started(other, records, 2)
             assert first.parent.parent != second.parent.parent
@@ -122,8 +128,9 @@ async def test_visitors_are_kept_apart_and_tokens_let_one_browser_in(tmp_path: P
             await one.reload()
             await one.ready()
             await happens(lambda: b'"type":"resume"' in first.read_bytes())
+            await one.shows("Show it")
             await one.press("/")
-            await asyncio.sleep(1)
+            await one.shows("type and press Enter")
             await one.type("go to the fridge")
             await answered(first, 3)
             assert len(logs(records)) == 2
@@ -151,21 +158,24 @@ async def test_a_study_in_a_browser_keeps_nothing_before_consent_and_comes_back(
             page = await browser.visit(address)
             await page.ready()
             assert not records.exists()
+            await page.shows("Do you agree")
             await page.press("y")
-            await happens(lambda: list(records.glob("*/ticket.json")))
-            await asyncio.sleep(1)
+            await page.shows("Instructions")
+            assert list(records.glob("*/ticket.json"))
             await page.press("enter")
-            await asyncio.sleep(1)
+            await page.shows("Practice")
             await page.press("enter")
             log = await started(page, records)
             await page.type("open the fridge")
             await answered(log, 2)
             await page.reload()
             await page.ready()
+            await page.shows("Practice")
             await page.press("enter")
             await happens(lambda: b'"type":"resume"' in log.read_bytes())
             no = await browser.visit(address)
             await no.ready()
+            await no.shows("Do you agree")
             await no.press("n")
             await no.until("document.body.classList.contains('-closed')")
     (home,) = [path for path in records.iterdir() if path.is_dir()]

@@ -45,6 +45,7 @@ class HomeScreen(Screen[None]):
         Binding("q", "app.quit", "Quit"),
         Binding("n", "scenes", "New session"),
         Binding("c", "sessions", "Continue one"),
+        Binding("l", "app.lab", "Lab"),
         Binding("p", "play_back", "Play one back"),
     ]
 

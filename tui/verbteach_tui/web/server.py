@@ -137,32 +137,37 @@ class VisitorServer(Server):
             raise web.HTTPServiceUnavailable(text=FULL, headers=HEADERS)
         socket = web.WebSocketResponse(heartbeat=15)
         await socket.prepare(request)
-
-        async def close() -> None:
-            await socket.close()
-
-        service = AppService(
-            self._visits.command(visitor),
-            write_bytes=socket.send_bytes,
-            write_str=socket.send_str,
-            close=close,
-            download_manager=self.download_manager,
-        )
+        size = _size(request, "width"), _size(request, "height")
+        service = await self._joined(visitor, socket, size)
         try:
-            await self._join(visitor, service, _size(request, "width"), _size(request, "height"))
             await self._process_messages(socket, service)
         finally:
             await self._part(visitor, service)
         return socket
 
-    async def _join(self, visitor: Visitor, service: AppService, width: int, height: int) -> None:
+    async def _joined(
+        self, visitor: Visitor, socket: web.WebSocketResponse, size: tuple[int, int]
+    ) -> AppService:
+        """The visitor's process, started once an older one of theirs has let go of the record."""
+
+        async def close() -> None:
+            await socket.close()
+
         async with self._turns.setdefault(visitor.code, asyncio.Lock()):
-            older = self._here.pop(visitor.code, None)
+            older = self._here.get(visitor.code)
             if older is not None:
                 await _left(older)
                 await older.remote_close()
+            service = AppService(
+                self._visits.command(visitor),
+                write_bytes=socket.send_bytes,
+                write_str=socket.send_str,
+                close=close,
+                download_manager=self.download_manager,
+            )
             self._here[visitor.code] = service
-            await service.start(width, height)
+            await service.start(*size)
+            return service
 
     async def _part(self, visitor: Visitor, service: AppService) -> None:
         await _left(service)
@@ -172,11 +177,14 @@ class VisitorServer(Server):
 
 async def _left(service: AppService) -> None:
     """Wait until the process has gone; it is ended where it does not go by itself."""
+    process = service._process
     with suppress(Exception):
         await asyncio.wait_for(asyncio.shield(service.stop()), _QUITTING)
+    if process is None:
         return
-    process = service._process
-    if process is not None and process.returncode is None:
+    with suppress(TimeoutError):
+        await asyncio.wait_for(process.wait(), _QUITTING)
+    if process.returncode is None:
         with suppress(ProcessLookupError):
             process.kill()
         await process.wait()
