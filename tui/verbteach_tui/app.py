@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
+from contextlib import suppress
 from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, ClassVar
@@ -14,6 +15,7 @@ from textual.command import CommandPalette
 from textual.screen import Screen
 
 from verbteach_tui.help_text import help_about, keys_of
+from verbteach_tui.keys import choose_keys
 from verbteach_tui.messages import RecordOpened, SessionLeft, SessionNotOpened, SessionOpened
 from verbteach_tui.options import AppOptions, OpenHome, OpenNew, OpenRecord, OpenSession
 from verbteach_tui.screens.failure import NOT_OPENED, FailureScreen
@@ -57,9 +59,9 @@ class VerbteachApp(App[None]):
     CSS_PATH = "app.tcss"
     COMMAND_PALETTE_BINDING = "ctrl+p"
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("f1", "help", "Help", priority=True),
-        Binding("ctrl+p", "command_palette", "Palette", priority=True),
-        Binding("ctrl+q", "quit", "Quit", show=False, priority=True),
+        Binding("f1", "help", "Help", priority=True, id="help"),
+        Binding("ctrl+p", "command_palette", "Palette", priority=True, id="palette"),
+        Binding("ctrl+q", "quit", "Quit", show=False, priority=True, id="quit"),
     ]
 
     def __init__(self, options: AppOptions) -> None:
@@ -88,6 +90,10 @@ class VerbteachApp(App[None]):
 
     def begin(self) -> None:
         """Home, or straight into a session."""
+        keymap = self.options.keymap
+        choose_keys(keymap.said if keymap else {})
+        if keymap is not None:
+            self.set_keymap(dict(keymap.bound))
         opening = self.options.opening
         if isinstance(opening, OpenHome):
             self.push_screen(HomeScreen(self.options.scenes, self.load, self.options.sessions))
@@ -167,6 +173,18 @@ class VerbteachApp(App[None]):
 
         room = TeachScreen(message.teaching, self.options.speed, self.options.scenes(), self.load)
         self.switch_screen(room)
+        if self._is_first_time():
+            room.call_after_refresh(room.action_tour)
+
+    def _is_first_time(self) -> bool:
+        """Whether the tour was never offered here; from now on it was."""
+        toured = self.options.toured
+        if toured is None or toured.exists():
+            return False
+        with suppress(OSError):  # a folder that cannot be written to only means another tour
+            toured.parent.mkdir(parents=True, exist_ok=True)
+            toured.touch()
+        return True
 
     def on_session_not_opened(self, message: SessionNotOpened) -> None:
         """No session was opened: say why, on the home screen or to whoever started the app."""

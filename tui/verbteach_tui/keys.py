@@ -68,14 +68,44 @@ ANYTIME: tuple[Key, ...] = (
 DIGITS = "123456789"
 
 
+SAID: Mapping[str, str] = {
+    **{"yes": "y", "no": "n", "unsure": "?", "skip": "s", "show": "t"},
+    **{"good": "g", "bad": "b", "done": "d", "why": "w", "repeat": "r"},
+    **{"undo": "u", "redo": "U", "flag": "f", "note": "m"},
+}
+"""The single keys by the names under which a person may choose others."""
+
+_chosen: dict[str, str] = {}
+
+
+def choose_keys(keys: Mapping[str, str]) -> None:
+    """From now on the names of ``SAID`` that ``keys`` has are said with those keys."""
+    _chosen.clear()
+    _chosen.update({SAID[name]: key for name, key in keys.items()})
+
+
+def answers(phase: Phase) -> tuple[Key, ...]:
+    """What answers the robot in ``phase``, as in ``ANSWERS`` but with the person's own keys."""
+    return _own(ANSWERS[phase])
+
+
+def anytime() -> tuple[Key, ...]:
+    """What can be said at any time, with the person's own keys."""
+    return _own(ANYTIME)
+
+
+def _own(keys: tuple[Key, ...]) -> tuple[Key, ...]:
+    return tuple(key._replace(key=_chosen.get(key.key, key.key)) for key in keys)
+
+
 def answer_keys(phase: Phase) -> tuple[Key, ...]:
     """Every key that answers in ``phase``, those without a place in the bar last."""
-    return (*ANSWERS[phase], *ALSO.get(phase, ()))
+    return (*answers(phase), *_own(ALSO.get(phase, ())))
 
 
 def word_of(key: str, phase: Phase) -> str | None:
     """The word that ``key`` says while the robot waits for ``phase``; ``None`` if none."""
-    for entry in (*answer_keys(phase), *ANYTIME):
+    for entry in (*answer_keys(phase), *anytime()):
         if entry.key == key:
             return entry.word
     return None

@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from verbteach.dialogue.setting import Settings
     from verbteach.world.scene import Scene
     from verbteach_sessions.session import Session
+    from verbteach_tui.keymap import Keymap
 
 
 @dataclass(frozen=True)
@@ -59,6 +60,8 @@ class AppOptions:
     only to look at it, where that is cheaper than ``settings``. ``sessions`` is the folder
     whose sessions the home screen offers. ``speed`` is in executed steps per
     second (0: all at once). ``theme`` is a theme's name, ``None`` the default.
+    ``keymap`` are the person's own keys. The tour is shown by itself where there
+    is no file ``toured`` yet (``None``: never), and the file is made.
     """
 
     settings: Settings
@@ -70,3 +73,5 @@ class AppOptions:
     opening: Opening = field(default_factory=OpenHome)
     speed: float = 2.0
     theme: str | None = None
+    keymap: Keymap | None = None
+    toured: Path | None = None

@@ -92,9 +92,15 @@ def _from_lines(talk: Conversation, out: TextIO, lines: Iterable[str]) -> int:
 
 
 def _at_the_keyboard(talk: Conversation, out: TextIO, note: str) -> int:
-    """Read the keyboard until the person leaves, by ``quit`` or Ctrl-D."""
+    """Read the keyboard until the person leaves, by ``quit`` or Ctrl-D.
+
+    The person's own short keys count here; a file or a pipe has the default ones.
+    """
+    from verbteach_tui.keymap import keys_file, read_keymap
+    from verbteach_tui.keys import choose_keys
     from verbteach_tui.plain_talk import MisfitError
 
+    choose_keys(read_keymap(keys_file()).said)
     _print(out, [note] if note else [])
     ask = _prompt(talk, out)
     while not talk.ended:

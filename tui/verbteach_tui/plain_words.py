@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from verbteach.dialogue.moves import Phase
-from verbteach_tui.keys import ANYTIME, answer_keys
+from verbteach_tui.keys import answer_keys, anytime
 from verbteach_tui.snapshot import Snapshot
 from verbteach_tui.views.marks import Mark
 from verbteach_tui.views.picture import Picture, Thing
@@ -61,7 +61,7 @@ def help_lines(snapshot: Snapshot) -> list[str]:
     for key in answer_keys(snapshot.phase):
         said.setdefault(key.word, []).append(key.key)
     lines += [f"{word} or {' or '.join(keys)}" for word, keys in said.items()]
-    lines += [f"{key.word} or {key.key}: {key.label}" for key in ANYTIME if key.key != "m"]
+    lines += [f"{key.word} or {key.key}: {key.label}" for key in anytime() if key.word != "note"]
     lines += ["note: TEXT keeps a note beside the turn", "quit leaves; you can go on later"]
     if snapshot.phase is Phase.COMMAND:
         lines.append("scene: NAME goes to another scene")

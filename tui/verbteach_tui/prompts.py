@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from verbteach.dialogue import acts
 from verbteach.dialogue.moves import Phase
-from verbteach_tui.keys import ANSWERS, ANYTIME, NO, YES, Key
+from verbteach_tui.keys import NO, YES, Key, answers, anytime
 from verbteach_tui.snapshot import Snapshot
 
 
@@ -123,7 +123,8 @@ def _answers(snapshot: Snapshot) -> list[Key]:
         for digit, thing in snapshot.choices.items()
     ]
     which = isinstance(snapshot.waiting, acts.NpGrdWhq)
-    return [*picks, *(k for k in ANSWERS[snapshot.phase] if not (which and k in (YES, NO)))]
+    unfit = {YES.word, NO.word} if which else set()
+    return [*picks, *(key for key in answers(snapshot.phase) if key.word not in unfit)]
 
 
 def _while_typing(snapshot: Snapshot) -> tuple[Key, ...]:
@@ -136,4 +137,4 @@ def _always(snapshot: Snapshot) -> list[Key]:
     idle = {"undo": not snapshot.can_undo, "redo": not snapshot.can_redo}
     if snapshot.phase is Phase.DEMONSTRATION:
         idle["why"] = True
-    return [key for key in ANYTIME if not idle.get(key.word, False)]
+    return [key for key in anytime() if not idle.get(key.word, False)]

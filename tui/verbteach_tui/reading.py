@@ -16,11 +16,10 @@ from verbteach.dialogue import acts
 from verbteach.dialogue.moves import Phase
 from verbteach_sessions.script import PREFIXES, WORDS, ScriptAct, parse_line
 from verbteach_sessions.session_acts import Note
-from verbteach_tui.keys import ANYTIME, word_of
+from verbteach_tui.keys import ANYTIME, anytime, word_of
 from verbteach_tui.views.steps import StepMenu
 
 _ALWAYS = frozenset(key.word for key in ANYTIME) | {"quit"}
-_SHORT = frozenset(key.key for key in ANYTIME)
 _PLACED = re.compile(r"insert:?\s*(?P<at>\d{1,4})\s*:?\s+(?P<step>.+)")
 """As in: insert 2 go to the sink."""
 
@@ -58,7 +57,7 @@ class Reader:
 
     def _command(self, text: str) -> ScriptAct | None:
         """A word of the session, a line with a prefix, else a command to the letter."""
-        if text in _SHORT:
+        if any(text == key.key for key in anytime()):
             return self._word(text)
         prefix, colon, _ = text.partition(":")
         if text in _ALWAYS or (colon and prefix.strip() in PREFIXES):

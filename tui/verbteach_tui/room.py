@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
+
 from verbteach_tui.beginning import Beginning
 from verbteach_tui.options import AppOptions, OpenHome, Opening
 
@@ -9,10 +12,20 @@ from verbteach_tui.options import AppOptions, OpenHome, Opening
 def full_screen(
     beginning: Beginning, opening: Opening | None = None, theme: str | None = None
 ) -> int:
-    """Run the app; the exit status."""
+    """Run the app, with the person's own keys; the exit status. Raises ``KeymapError``."""
     from verbteach_tui.app import run_app
+    from verbteach_tui.keymap import keys_file, read_keymap
 
-    return run_app(app_options(beginning, opening or OpenHome(), theme))
+    keymap = read_keymap(keys_file())
+    options = app_options(beginning, opening or OpenHome(), theme)
+    return run_app(replace(options, keymap=keymap, toured=_toured()))
+
+
+def _toured() -> Path:
+    """The file that says that the tour was offered once."""
+    from platformdirs import user_state_path
+
+    return user_state_path("verbteach") / "toured"
 
 
 def app_options(

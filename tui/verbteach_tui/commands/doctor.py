@@ -34,6 +34,7 @@ def examine() -> dict[str, Any]:
     from verbteach import __version__
     from verbteach_sessions.catalogue import default_folder
     from verbteach_tui.installation import installed, is_writable, requirements
+    from verbteach_tui.keymap import keys_file
     from verbteach_tui.terminal import Terminal
 
     needs = requirements()
@@ -53,6 +54,7 @@ def examine() -> dict[str, Any]:
         },
         "extras": extras,
         "folders": {"sessions": str(sessions), "python": sys.prefix},
+        "files": {"keys": str(keys_file())},
         "terminal": asdict(terminal),
         "notes": list(terminal.advice()),
         "problems": problems,
@@ -65,6 +67,8 @@ def _print(report: dict[str, Any]) -> None:
     tell(columns([(f"[{extra}]", _presence(found)) for extra, found in report["extras"].items()]))
     tell()
     tell(columns([(f"{name} folder", path) for name, path in report["folders"].items()]))
+    tell()
+    tell(columns([(f"{name} file", path) for name, path in report["files"].items()]))
     tell()
     tell(columns([(f"terminal {key}", value) for key, value in report["terminal"].items()]))
     for kind in ("notes", "problems"):

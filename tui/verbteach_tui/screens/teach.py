@@ -15,7 +15,7 @@ from verbteach.dialogue import acts
 from verbteach.dialogue.moves import Phase
 from verbteach_sessions.script import ScriptAct, render
 from verbteach_sessions.session_acts import Quit, Redo, Undo
-from verbteach_tui.keys import ANSWERS, ANYTIME
+from verbteach_tui.keys import answers, anytime
 from verbteach_tui.messages import (
     Refused,
     SessionLeft,
@@ -234,6 +234,12 @@ class TeachScreen(AnsweringScreen):
         else:
             self.notify("Finish this command first, or skip it; then correct what was learned.")
 
+    def action_tour(self) -> None:
+        """Show what is where."""
+        from verbteach_tui.screens.tour import TourScreen
+
+        self.app.push_screen(TourScreen(self))
+
     def action_turns(self) -> None:
         """Go back to an earlier turn, or forward again to one that was taken back."""
         if not self.thinking:
@@ -284,12 +290,12 @@ class TeachScreen(AnsweringScreen):
 
     def single_keys(self) -> Iterable[tuple[str, str]]:
         """The keys that answer now, each with what it says."""
-        for key in (*ANSWERS[self.snapshot.phase], *ANYTIME):
+        for key in (*answers(self.snapshot.phase), *anytime()):
             yield key.key, f"{key.label} (in words: {key.word})"
 
     def palette(self) -> Iterable[tuple[str, str, Callable[[], object]]]:
         """Every action of this screen with what it does, for the palette."""
-        for key in (*ANSWERS[self.snapshot.phase], *ANYTIME):
+        for key in (*answers(self.snapshot.phase), *anytime()):
             yield key.label.capitalize(), f"Say '{key.word}'", partial(self.action_word, key.word)
         yield "Undo to an earlier turn", "Pick the turn; redo as well", self.action_turns
         yield "Verbs", "The verbs the robot has learned", self.action_verbs
@@ -299,4 +305,5 @@ class TeachScreen(AnsweringScreen):
             yield title, f"To the panel: {title.lower()}", partial(self.action_tab, word)
         if self.snapshot.phase is Phase.DEMONSTRATION:
             yield "Edit the steps", "Take away, move, insert, run", self.action_steps
+        yield "Tour", "What is where, in a minute", self.action_tour
         yield "Leave", "Leave the session, to go on later", self.action_leave
