@@ -47,9 +47,10 @@ def check_rewards(event: Event, before: History) -> Iterator[str]:
     if not any(abs(reward - one) <= TOLERANCE for one in fair):
         yield f"the reward is {reward}, by the table of prices it is one of {sorted(fair)}"
     if before.current is not None:
-        total = before.current.after["totals"]["reward"] + reward
-        if abs(total - event.data["after"]["totals"]["reward"]) > TOLERANCE:
-            yield f"the rewards add up to {total}, not {event.data['after']['totals']['reward']}"
+        total = before.current.after["totals"].get("reward", 0) + reward
+        stated = event.data["after"]["totals"].get("reward")
+        if stated is None or not abs(total - stated) <= TOLERANCE:
+            yield f"the rewards add up to {total}, not {stated}"
 
 
 def check_beliefs(event: Event, before: History) -> Iterator[str]:

@@ -56,15 +56,16 @@ class LogReader:
     that was not written to its end is left out; ``torn`` then holds its bytes.
     ``position`` is the end of what was read, ``before_last`` the end before its
     last event. With a ``start``, reading begins there; :class:`BrokenChainError`
-    where the lines before are not those that it knows.
+    where the lines before are not those that it knows. ``strict`` as for :func:`lines.decode`.
     """
 
-    def __init__(self, path: Path, start: Start | None = None) -> None:
+    def __init__(self, path: Path, start: Start | None = None, *, strict: bool = False) -> None:
         self.path = log_path(path)
         self.position = self.before_last = Position()
         self.torn = b""
         self.unfinished = False
         self._start = start
+        self._strict = strict
 
     def __iter__(self) -> Iterator[Event]:
         with open_regular(self.path) as file:
@@ -106,11 +107,13 @@ class LogReader:
 
     def _read(self, raw: bytes) -> Event:
         try:
-            event, prev = lines.decode(raw[:-1])
+            event, prev = lines.decode(raw[:-1], strict=self._strict)
         except lines.NewerVersionError as error:
             self._refuse(NewerLogError, str(error), "update verbteach to read it")
         except lines.ChangedLineError as error:
             self._refuse(DamagedLogError, str(error), self._restore())
+        except lines.AmbiguousLineError as error:
+            self._refuse(LogError, str(error))
         except lines.LineError as error:
             # After a first line that was whole this is a log, and every line of it was whole once.
             kind = DamagedLogError if self.position.seq else LogError

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import os
 import stat
 from contextlib import suppress
@@ -15,14 +16,15 @@ FILE_MODE = 0o600
 
 
 def open_regular(path: Path) -> BinaryIO:
-    """Open for reading. A pipe or a device in a file's place is refused, not waited for.
+    """Open for reading. A link, a pipe or a device in a file's place is refused, not waited for.
 
     Raises :class:`NotASessionError` where there is no such file or it is not a plain one.
     """
     try:
-        fd = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+        fd = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_NOFOLLOW | os.O_CLOEXEC)
     except OSError as error:
-        raise NotASessionError(f"{path}: cannot be read, {error.strerror}") from error
+        why = "it is a link" if error.errno == errno.ELOOP else error.strerror
+        raise NotASessionError(f"{path}: cannot be read, {why}") from error
     if not stat.S_ISREG(os.fstat(fd).st_mode):
         os.close(fd)
         raise NotASessionError(f"{path}: is not a plain file")

@@ -88,6 +88,9 @@ class Header:
         safe_name(self.id)
         if self.participant is not None:
             safe_name(self.participant, "participant code")
+        for other in (self.source, self.parent):
+            if other is not None:
+                safe_name(other.id)
 
     @classmethod
     def new(

@@ -41,6 +41,10 @@ class ChangedLineError(LineError):
     """The line is not what was written."""
 
 
+class AmbiguousLineError(LineError):
+    """An object of the line has two members of one name."""
+
+
 class NewerVersionError(LineError):
     """The line is of a later version of the format."""
 
@@ -64,12 +68,14 @@ def encode(event: Event, prev: str) -> bytes:
     return body[:-1] + f',"hash":"{digest(body)}"}}\n'.encode()
 
 
-def decode(raw: bytes) -> tuple[Event, str]:
+def decode(raw: bytes, *, strict: bool = False) -> tuple[Event, str]:
     """The event of a line without its newline, and the hash it gives the line before.
 
-    Raises :class:`NewerVersionError`, :class:`ChangedLineError`, else :class:`LineError`.
+    ``strict`` refuses objects with two members of one name as well, of which
+    otherwise the last one counts. Raises :class:`AmbiguousLineError`,
+    :class:`NewerVersionError`, :class:`ChangedLineError`, else :class:`LineError`.
     """
-    value = parse(raw)
+    value = parse(raw, _STRICT if strict else _DECODER)
     if not isinstance(value, dict):
         raise LineError("is not a JSON object")
     version = value.get("v")
@@ -80,10 +86,12 @@ def decode(raw: bytes) -> tuple[Event, str]:
     return _event(value), _member(value, "prev", str)
 
 
-def parse(raw: bytes) -> Any:
+def parse(raw: bytes, decoder: json.JSONDecoder | None = None) -> Any:
     """The JSON value of hostile bytes, or :class:`LineError`."""
     try:
-        return _DECODER.decode(raw.decode())
+        return (decoder or _DECODER).decode(raw.decode())
+    except AmbiguousLineError:
+        raise
     except RecursionError as error:
         raise LineError("is nested too deeply") from error
     except ValueError as error:  # UnicodeDecodeError and integers of thousands of digits as well
@@ -101,7 +109,19 @@ def _finite(text: str) -> float:
     return number
 
 
+def _unique(members: list[tuple[str, Any]]) -> dict[str, Any]:
+    value = dict(members)
+    if len(value) < len(members):
+        names = [name for name, _ in members]
+        twice = next(name for name in names if names.count(name) > 1)
+        raise AmbiguousLineError(f"has a member {twice[:40]!r} twice")
+    return value
+
+
 _DECODER = json.JSONDecoder(parse_constant=_no_constant, parse_float=_finite)
+_STRICT = json.JSONDecoder(
+    parse_constant=_no_constant, parse_float=_finite, object_pairs_hook=_unique
+)
 
 
 def _body(raw: bytes) -> bytes:

@@ -68,7 +68,7 @@ def validate(
 
     ``heard`` is told how many events have been recomputed, whenever one has.
     """
-    reader = LogReader(path)
+    reader = LogReader(path, strict=True)
     walk = _Walk(reader)
     problems = tuple(walk.problems())
     if not problems:

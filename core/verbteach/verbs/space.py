@@ -120,7 +120,7 @@ class HypothesisSpace:
                 tuple((int(upper), int(lower)) for upper, lower in data["edges"]),
                 bool(data["confirmed"]),
             )
-        except (KeyError, TypeError) as error:
+        except (AttributeError, KeyError, TypeError) as error:
             raise ValueError(f"not a hypothesis space: {error!r}") from error
 
 
