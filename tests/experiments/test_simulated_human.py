@@ -13,7 +13,13 @@ from verbteach.dialogue.acts import (
     PredChangeYnq,
 )
 from verbteach.dialogue.inquiry import Label
-from verbteach.experiments.simulated_human import HumanParameters, SimulatedHuman
+from verbteach.experiments.simulated_human import (
+    AnswerRates,
+    HumanParameters,
+    People,
+    Person,
+    SimulatedHuman,
+)
 from verbteach.world.plan import Plan
 
 BENCH = bench()
@@ -71,3 +77,18 @@ def test_patience_ends_and_some_answers_are_not_known() -> None:
     assert [label is Label.UNSURE for label in labels] == [False, False, True, True]
     unsure = humans(HumanParameters(unsure=1.0))[0]
     assert unsure.reply(question, 0, RNG).label is Label.UNSURE
+
+
+def test_people_have_rates_by_question_and_each_teaches_their_own_instances() -> None:
+    wrong = Person(by_question={"np_grd_ynq": AnswerRates(error=1.0)})
+    silent = Person(unsure=1.0)
+    people = People(people=(wrong, silent))
+    teachers = {one.id: people.teaching(one.id) for one in BENCH.instances}
+    assert {id(one) for one in teachers.values()} == {id(wrong), id(silent)}
+    assert teachers == {one.id: people.teaching(one.id) for one in BENCH.instances}
+    (human, *_) = humans(wrong)
+    (gold,) = human.instance.narrowed
+    assert human.reply(NpGrdYnq("cup", gold[0]), 0, RNG).label is Label.NO
+    fluent = sorted(human.instance.start)[0]
+    assert human.reply(EnvPredYnq(fluent), 0, RNG).label is Label.YES  # no rate of its own
+    assert humans(silent)[0].reply(EnvPredYnq(fluent), 0, RNG).label is Label.UNSURE

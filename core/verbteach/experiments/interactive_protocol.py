@@ -401,7 +401,8 @@ class _Run:
         )
 
     def _human(self, instance: Instance) -> SimulatedHuman:
-        return SimulatedHuman(instance, self.bench.room(instance), self.config.human)
+        human = self.config.human.teaching(instance.id)
+        return SimulatedHuman(instance, self.bench.room(instance), human)
 
 
 def _unwrapped(state: Remembering[ExecutionInquiry]) -> ExecutionInquiry:

@@ -7,9 +7,11 @@ come from the true start, goal and change answers from the true change.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import NamedTuple
+from zlib import crc32
 
 import numpy as np
 
@@ -33,6 +35,13 @@ from verbteach.world.fluents import Goal
 from verbteach.world.plan import Action, Plan
 
 
+class AnswerRates(NamedTuple):
+    """How often a person's yes/no answers of one kind are wrong, and how often "don't know"."""
+
+    error: float = 0.0
+    unsure: float = 0.0
+
+
 @dataclass(frozen=True)
 class HumanParameters:
     """How good a teacher is.
@@ -47,6 +56,36 @@ class HumanParameters:
     error: float = 0.0
     unsure: float = 0.0
     patience: int = 1000
+
+    def rates(self, question: str) -> AnswerRates:
+        """The rates for one kind of question, by the act's name."""
+        return AnswerRates(self.error, self.unsure)
+
+    def teaching(self, instance: str) -> HumanParameters:
+        """Who teaches an instance, by its id: here always the same."""
+        return self
+
+
+@dataclass(frozen=True)
+class Person(HumanParameters):
+    """A teacher with rates of their own for some kinds of questions, by the act's name."""
+
+    by_question: Mapping[str, AnswerRates] = field(default_factory=dict)
+
+    def rates(self, question: str) -> AnswerRates:
+        """The rates for one kind of question; the general ones where it has none of its own."""
+        return self.by_question.get(question, super().rates(question))
+
+
+@dataclass(frozen=True)
+class People(HumanParameters):
+    """Several teachers, at least one: which of them teaches an instance hangs on its id alone."""
+
+    people: tuple[HumanParameters, ...] = (HumanParameters(),)
+
+    def teaching(self, instance: str) -> HumanParameters:
+        """One of the people."""
+        return self.people[crc32(instance.encode()) % len(self.people)]
 
 
 @dataclass(frozen=True)
@@ -65,11 +104,12 @@ class SimulatedHuman:
     def reply(self, act: RobotAct, asked: int, rng: np.random.Generator) -> Reply:
         """Answer the question that comes after ``asked`` others; two draws are taken each time."""
         unsure, wrong = rng.random(2).tolist()
-        if asked >= self.parameters.patience or unsure < self.parameters.unsure:
+        rates = self.parameters.rates(act.name)
+        if asked >= self.parameters.patience or unsure < rates.unsure:
             return Reply(Label.UNSURE)
         if isinstance(act, NpGrdWhq):
             return Reply(Label.OBJECTS, self._meant(act.np))
-        return Reply.of(self.truth(act) != (wrong < self.parameters.error))
+        return Reply.of(self.truth(act) != (wrong < rates.error))
 
     def truth(self, act: RobotAct) -> bool:
         """The right answer to a yes/no question."""

@@ -108,12 +108,9 @@ def compare(people: Sequence[Met], simulated: Sequence[Met], rng: np.random.Gene
     if min(len(names) for names, _ in sides) < 2:
         raise ValueError("both sides need the episodes of two persons at least")
     tables = [table for _, table in sides]
-    observed = _statistics(tables[0]) - _statistics(tables[1])
-    distance = _distance(*tables)
-    larger, further = _permuted(tables, observed, distance, rng)
-    corrected = holm([*larger.tolist(), further])
+    corrected = holm(_permuted(tables, rng).tolist())
     low, high = _bootstrapped(tables, rng)
-    first, second = _statistics(tables[0]), _statistics(tables[1])
+    first, second = (_statistics(table.sum(axis=0)) for table in tables)
     statistics = {
         name: Difference(
             float(first[i]), float(second[i]), (float(low[i]), float(high[i])), corrected[i]
@@ -143,36 +140,37 @@ def _table(episodes: Sequence[Met]) -> tuple[list[str], Floats]:
     return names, table
 
 
-def _statistics(table: Floats) -> Floats:
-    sums = table.sum(axis=0)
-    return np.asarray(sums[1:5] / sums[0])
+def _statistics(sums: Floats) -> Floats:
+    """Means of an episode, from sums over people (any rows x columns of the table)."""
+    return np.asarray(sums[..., 1:5] / sums[..., :1])
 
 
-def _distance(one: Floats, other: Floats) -> float:
-    """Total variation between the two distributions of question types."""
-    first, second = one[:, 5:].sum(axis=0), other[:, 5:].sum(axis=0)
-    return 0.5 * float(
-        np.abs(first / max(1.0, first.sum()) - second / max(1.0, second.sum())).sum()
-    )
+def _distance(one: Floats, other: Floats) -> Floats:
+    """Total variation between two distributions of question types."""
+    shares = [x / np.maximum(1.0, x.sum(axis=-1, keepdims=True)) for x in (one, other)]
+    return np.asarray(0.5 * np.abs(shares[0] - shares[1]).sum(axis=-1))
 
 
-def _permuted(
-    tables: Sequence[Floats], observed: Floats, distance: float, rng: np.random.Generator
-) -> tuple[Floats, float]:
+def _differing(first: Floats, second: Floats) -> Floats:
+    """How far two sides' sums are apart in each statistic, and in the types of questions."""
+    apart = np.abs(_statistics(first) - _statistics(second))
+    return np.concatenate([apart, _distance(first[..., 5:], second[..., 5:])[..., None]], axis=-1)
+
+
+def _permuted(tables: Sequence[Floats], rng: np.random.Generator) -> Floats:
+    """How likely each difference is to be as large where the sides are drawn by lot."""
     both, size = np.vstack(tables), len(tables[0])
-    larger, further = np.zeros(len(observed)), 0
-    for _ in range(FLIPS):
-        order = rng.permutation(len(both))
-        one, other = both[order[:size]], both[order[size:]]
-        larger += np.abs(_statistics(one) - _statistics(other)) >= np.abs(observed) - 1e-12
-        further += _distance(one, other) >= distance - 1e-12
-    return (larger + 1.0) / (FLIPS + 1.0), (further + 1.0) / (FLIPS + 1.0)
+    order = rng.permuted(np.tile(np.arange(len(both)), (FLIPS, 1)), axis=1)
+    inside = (order < size).astype(float)
+    drawn = _differing(inside @ both, (1.0 - inside) @ both)
+    seen = _differing(*(table.sum(axis=0) for table in tables))
+    return np.asarray(((drawn >= seen - 1e-9).sum(axis=0) + 1.0) / (FLIPS + 1.0))
 
 
 def _bootstrapped(tables: Sequence[Floats], rng: np.random.Generator) -> tuple[Floats, Floats]:
     drawn = []
-    for _ in range(FLIPS):
-        sides = [table[rng.integers(len(table), size=len(table))] for table in tables]
-        drawn.append(_statistics(sides[0]) - _statistics(sides[1]))
-    low, high = np.quantile(np.array(drawn), [0.025, 0.975], axis=0)
+    for table in tables:
+        people = rng.integers(len(table), size=(FLIPS, len(table)))
+        drawn.append(_statistics(table[people].sum(axis=1)))
+    low, high = np.quantile(drawn[0] - drawn[1], [0.025, 0.975], axis=0)
     return low, high
