@@ -30,7 +30,7 @@ from verbteach.perception.belief import Belief
 from verbteach.verbs.analogy import Analogies
 from verbteach.verbs.examples import Example, Memory
 from verbteach.verbs.knowledge import VerbKnowledge
-from verbteach.verbs.pool import PoolSource
+from verbteach.verbs.pool import PLACES, PoolSource
 from verbteach.verbs.resemblance import Said
 from verbteach.verbs.seen_change import SeenChange, seen_change
 from verbteach.verbs.space import HypothesisSpace
@@ -135,13 +135,16 @@ def sensible(draft: Draft, options: Sequence[Candidate]) -> list[Candidate]:
     """The candidates without questions that no person would understand.
 
     Goals carried over from other things speak of facts that cannot be here,
-    and of the robot's own bookkeeping.
+    and of the robot's own bookkeeping; that a thing has left its place follows
+    from where it comes to.
     """
     setting = draft.mind.setting
 
     def makes_sense(act: RobotAct) -> bool:
         if isinstance(act, GoalPredYnq):
             fluent = act.literal.fluent
+            if not act.literal.positive and fluent.predicate in PLACES:
+                return False
         elif isinstance(act, EnvPredYnq):
             fluent = act.fluent
         else:

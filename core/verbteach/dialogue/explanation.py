@@ -51,17 +51,7 @@ def _weighed(decision: Decision, speech: Speech) -> str:
 
 
 def _why(decision: Decision) -> str:
-    if decision.explored:
-        return f" I took it to find out: {decision.reason}."
-    return (
-        f" I took the first because it is {decision.reason}."
-        if _valued(decision)
-        else (f" I took the first: {decision.reason}." if decision.reason else "")
-    )
-
-
-def _valued(decision: Decision) -> bool:
-    return decision.candidates[decision.chosen].value is not None
+    return f" I took the first: {decision.reason}." if decision.reason else ""
 
 
 def _option(candidate: Candidate, speech: Speech) -> str:

@@ -39,7 +39,8 @@ class RobotParameters:
     selection: SelectionParameters = field(default_factory=_live_selection)
     pool: PoolParameters = field(default_factory=PoolParameters)
     inquiry: InquiryParameters = field(
-        default_factory=lambda: InquiryParameters(goal_relevance=True)
+        # What words mean is asked sooner than in experiments: a person expects that.
+        default_factory=lambda: InquiryParameters(goal_relevance=True, object_gain=0.03)
     )
     question_cap: int = 12
     same_question: int = 3

@@ -13,6 +13,7 @@ from verbteach.language.morphology import listing
 from verbteach.world.fluents import Literal
 
 _NAMED = 3
+_SURE = 0.995  # what is told as 100%
 
 
 def uncertainty(draft: Draft, chosen: Candidate, speech: Speech) -> str:
@@ -88,7 +89,8 @@ def _expected(chosen: Candidate, act: str, what: str) -> str:
     if sure is None:
         return ""
     value = chosen.features.get(f"{act}.value")
-    near = f", and expect it to be {value:.0%} of the way there" if value is not None else ""
+    most = value is not None and sure < _SURE
+    near = f", and expect it to be {value:.0%} of the way there" if most else ""
     return f"I am {sure:.0%} sure that {what} is exactly right{near}."
 
 

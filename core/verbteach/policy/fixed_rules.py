@@ -11,6 +11,7 @@ import numpy as np
 from verbteach.dialogue.acts import (
     EnvPredYnq,
     GoalPredYnq,
+    GoalRelevantYnq,
     NpGrdYnq,
     PredChangeYnq,
     RobotAct,
@@ -22,6 +23,7 @@ _DOUBTS: dict[type[RobotAct], str] = {
     EnvPredYnq: "env_pred_ynq.doubt",
     GoalPredYnq: "goal_pred_ynq.doubt",
     PredChangeYnq: "pred_change_ynq.doubt",
+    GoalRelevantYnq: "goal_relevant_ynq.aside",
 }
 
 
@@ -66,9 +68,10 @@ class RandomPolicy:
 class ManualPolicy:
     """Asks yes/no questions until there are no more (She & Chai 2017, section 5.1).
 
-    First about objects, then the environment or the change, then the goal. A
-    question whose answer is less doubtful than ``doubt`` counts as no question;
-    the paper does not say which questions there are.
+    First about objects, then the environment or the change, then the goal, and
+    where that is offered whether parts of the change that the command does not
+    speak of belong to it. A question whose answer is less doubtful than
+    ``doubt`` counts as no question; the paper does not say which there are.
     """
 
     doubt: float = 0.2
@@ -79,7 +82,7 @@ class ManualPolicy:
         self, episode: object, candidates: Sequence[Candidate], rng: np.random.Generator
     ) -> Decision:
         """Take the most doubtful question of the first kind that is left."""
-        for kind in (NpGrdYnq, EnvPredYnq, PredChangeYnq, GoalPredYnq):
+        for kind in (NpGrdYnq, EnvPredYnq, PredChangeYnq, GoalPredYnq, GoalRelevantYnq):
             found = [i for i, one in enumerate(candidates) if isinstance(one.act, kind)]
             best = max(found, key=lambda i: in_doubt(candidates[i]), default=None)
             if best is not None and in_doubt(candidates[best]) > self.doubt:

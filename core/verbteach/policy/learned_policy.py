@@ -175,6 +175,6 @@ _KIN = {"goal_relevant_ynq": "pred_change_ynq", "bulk_np_grd_ynq": "np_grd_ynq"}
 
 
 _REASONS = {
-    False: "what it is worth most to do, as far as I have learned",
-    True: "I am not sure what is worth most, and this may be",
+    False: "it is worth most, as far as I have learned",
+    True: "others seem worth more, but I am not sure of that and wanted to find out",
 }
