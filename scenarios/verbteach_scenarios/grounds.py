@@ -99,6 +99,18 @@ def of_corpus(
     return EvaluationData(Grounds(folds, tasks, training_planner), own)
 
 
+@dataclass(frozen=True)
+class CorpusFolder:
+    """A Tell Me Dave folder that is read where it is needed, in whatever process."""
+
+    folder: Path
+
+    def __call__(self) -> tuple[Grounds, OwnGrounder]:
+        """Read it; see ``of_corpus``."""
+        found = of_corpus(self.folder)
+        return found.grounds, found.own
+
+
 def of_lessons(lessons: Sequence[Lesson], settings: Settings) -> EvaluationData:
     """Lessons as instances, each scene held out in turn."""
     names = sorted({lesson.scene for lesson in lessons})

@@ -41,7 +41,8 @@ class Setup:
     ``grounding`` names a mode; ``grounder`` does it where the mode is not one
     of ``GROUNDERS``. The regression is fitted on one in ``development``
     documents of the training part; at most ``judged_goals`` of each of their
-    commands are planned for.
+    commands are planned for. Without ``exact_ceiling`` the best goal is found
+    as if the robot saw truly, which is much quicker and never finds more.
     """
 
     variant: Variant
@@ -51,6 +52,7 @@ class Setup:
     seed: int = 0
     development: int = 5
     judged_goals: int = 100
+    exact_ceiling: bool = True
 
     def __post_init__(self) -> None:
         if self.grounder is None and self.grounding not in GROUNDERS:
@@ -257,7 +259,7 @@ class _Test:
         that could not come to more than the best so far need no plan.
         """
         judge, planner = self._judge, self._judge.room.planner
-        sees = self.state == self.instance.start
+        sees = self.state == self.instance.start or not self.site.setup.exact_ceiling
         bounds = [judge.most(one.goal) if sees else 1.0 for one in self.gathered]
         best, at = 0.0, len(bounds)
         plan: tuple[Action, ...] = ()

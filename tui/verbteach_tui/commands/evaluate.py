@@ -75,6 +75,16 @@ def evaluate(
     ceilings: Annotated[
         bool, typer.Option("--ceilings/--no-ceilings", help="The upper bounds beside the scores.")
     ] = True,
+    grid: Annotated[
+        bool,
+        typer.Option(
+            "--grid", help="Every learner from demonstrations, criterion and condition, into --out."
+        ),
+    ] = False,
+    out: Annotated[
+        Path | None,
+        typer.Option(metavar="DIR", help="Where the grid goes; what is there is not done again."),
+    ] = None,
     as_json: JsonFlag = False,
 ) -> None:
     """Score a verb model on commands from environments that it has not seen.
@@ -86,6 +96,9 @@ def evaluate(
 
     if test_data is not None and data is None:
         raise WrongUseError("--test-data needs --data: what to learn from")
+    if grid or out is not None:
+        _grid(grid, data, out, noise, noise_reading, seed or 0, jobs, as_json)
+        return
     asked = Question(
         policy, noise or "perfect", noise_reading or "literal", grounding, runs, seed or 0, weights
     )
@@ -117,6 +130,31 @@ def evaluate(
         emit(document)
     else:
         _print(document)
+
+
+def _grid(
+    wanted: bool,
+    data: Path | None,
+    out: Path | None,
+    noise: str | None,
+    reading: str | None,
+    seed: int,
+    jobs: int,
+    as_json: bool,
+) -> None:
+    from verbteach.perception.noise import LEVELS, READINGS
+    from verbteach_tui.commands.evaluate_grid import grid
+
+    if not wanted or data is None or out is None:
+        raise WrongUseError("--grid needs --data and --out, and --out needs --grid")
+    levels = (noise,) if noise else tuple(LEVELS)
+    readings = (reading,) if reading else READINGS
+    with progress() as show:
+        written = grid(data, out, levels, readings, seed, _Spread(jobs, show))
+    if as_json:
+        emit(written)
+    else:
+        tell(columns([(name, str(value)) for name, value in written.items()]))
 
 
 def _refuse_she16(given: dict[str, object]) -> None:
