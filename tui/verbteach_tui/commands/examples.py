@@ -77,7 +77,17 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "verbteach sessions release my-sessions",
         "verbteach sessions release my-sessions --splits splits.json --names names.txt --json",
     ),
-    "verbteach benchmark": ("verbteach benchmark check tell-me-dave",),
+    "verbteach sessions fit": (
+        "verbteach sessions fit my-sessions --out people.json",
+        "verbteach sessions fit my-sessions --out people.json --check --json",
+        "verbteach teach --teacher fitted:people.json --lessons 20",
+    ),
+    "verbteach sessions evaluate-policy": (
+        "verbteach sessions evaluate-policy my-sessions --policy split",
+        "verbteach sessions evaluate-policy my-sessions --policy rl --weights weights.json --json",
+    ),
+    "verbteach sessions example": (
+        "verbteach benchmark": ("verbteach benchmark check tell-me-dave",),
     "verbteach benchmark check": (
         "verbteach benchmark check tell-me-dave",
         "verbteach benchmark check tell-me-dave --json",

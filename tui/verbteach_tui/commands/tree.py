@@ -23,6 +23,7 @@ from verbteach_tui.commands import (
     sessions_corpus,
     sessions_export,
     sessions_people,
+    sessions_teachers,
     study,
     teach,
 )
@@ -57,6 +58,9 @@ GROUPS: Mapping[str, tuple[str, Mapping[str, Command]]] = {
             "split": sessions_corpus.split,
             "datasheet": sessions_corpus.make_datasheet,
             "release": sessions_corpus.release,
+            "fit": sessions_teachers.fit,
+            "evaluate-policy": sessions_teachers.evaluate_policy,
+            "example": sessions_teachers.example,
         },
     ),
     "scenes": (
