@@ -10,6 +10,8 @@ from collections.abc import Mapping
 from hashlib import sha256
 from typing import Any
 
+LARGEST = 2**63  # what a 64-bit column can no longer hold
+
 _DATED = re.compile(r"\d{8}-\d{6}-([a-z0-9]{8,})")
 _MOMENT = re.compile(r"\d{4}-\d{2}-\d{2}([T ]\d{2}:\d{2}.*)?")
 
@@ -31,7 +33,12 @@ def timeless(value: Any) -> Any:
 
 
 def encodable(value: Any) -> Any:
-    """A JSON value with a sign in place of half a surrogate pair, which UTF-8 cannot hold."""
+    """A JSON value with a sign in place of half a surrogate pair, which UTF-8 cannot hold.
+
+    Raises ``ValueError`` on a number that no column can hold.
+    """
+    if type(value) is int and abs(value) >= LARGEST:
+        raise ValueError("holds a number that is too large to export")
     if isinstance(value, str):
         return value if value.isascii() else value.encode("utf-8", "replace").decode("utf-8")
     if isinstance(value, Mapping):

@@ -152,7 +152,8 @@ def _told(turn: Turn, sights: Mapping[str, int]) -> dict[str, Any]:
             {"name": one["phrase"], "bars": _bars(one["objects"])} for one in beliefs["grounding"]
         ],
         "goals": _bars([(", ".join(g["goal"]), g["share"]) for g in beliefs["goals"]]),
-        "uncertain": _bars(beliefs["uncertain"]),
+        "uncertain": _bars(sorted(beliefs["uncertain"], key=lambda pair: abs(pair[1] - 0.5))),
+        "unlisted": max(0, len(beliefs["uncertain"]) - _BEST),
         "choices": [_choice(one) for one in turn.decisions],
         "verbs": list(turn.verbs_learned),
     }

@@ -104,7 +104,9 @@
     const phrases = said.phrases.flatMap((one) => [make("h3", one.name), ...bars(one.bars)]);
     section(mind, "What the words may mean", phrases);
     section(mind, "Goals it thinks may be meant", bars(said.goals));
-    section(mind, "What it is not sure to see", bars(said.uncertain));
+    const unsure = bars(said.uncertain);
+    if (said.unlisted) unsure.push(make("p", `and ${said.unlisted} more`, "quiet"));
+    section(mind, "What it is not sure to see", unsure);
     section(mind, "What it weighed", said.choices.flatMap(choice));
     section(mind, "Verbs learned", said.verbs.length ? [make("p", said.verbs.join(", "))] : []);
     if (!mind.childNodes.length) {

@@ -52,9 +52,12 @@ def read_dialogue(path: Path, redact: Redact = nothing) -> Dialogue:
     if header is None or history.current is None:
         raise NotASessionError(f"{reader.path}: nothing was said in this session")
     standing = {node.seq for node in history.effective()}
-    dialogue = _described(redact(timeless(encodable(header.data))), history.current)
+    try:
+        described = _described(redact(timeless(encodable(header.data))), history.current)
+    except ValueError as error:
+        raise LogError(reader.path, 1, str(error)) from error
     return replace(
-        dialogue,
+        described,
         content_hash=content.hexdigest,
         ended=history.ended,
         questionnaires=turns.questionnaires,

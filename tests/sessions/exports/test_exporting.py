@@ -195,7 +195,7 @@ def test_hostile_values_are_exported_as_they_are(tmp_path: Path, name: str) -> N
     def change(events: list[dict[str, object]]) -> None:
         header = events[0]["data"]
         assert isinstance(header, dict)
-        header.update(seed=10**40, study={"consent": [[[]]], "id": {"a": "\ud800"}})
+        header.update(study={"consent": [[[]]], "id": {"a": "\ud800"}})
         header["parameters"]["rewards"] = {"prices": {"np_grd_ynq": "free", "x": [1]}}
         robot = first(events, "robot", 1)["data"]
         robot.update(acts=[{"act": 5, "np": {"deep": [None]}}], texts=["\ud800", "</script>"])
@@ -203,3 +203,15 @@ def test_hostile_values_are_exported_as_they_are(tmp_path: Path, name: str) -> N
     forge(path, change)
     request = Request((path,), name, tmp_path / "out", settings=settings, depict=make_depict())
     assert export(request).sessions == 1
+
+
+# A teacher's act is read together with the reply to it.
+@pytest.mark.parametrize(("event", "field", "line"), [(0, "seed", 1), (2, "answered_at", 4)])
+def test_a_number_that_no_column_holds_is_refused(
+    tmp_path: Path, event: int, field: str, line: int
+) -> None:
+    path = recorded(tmp_path / "sessions", BY_ANNA)
+    forge(path, lambda events: events[event]["data"].update({field: 10**40}))
+    with pytest.raises(LogError, match=f"line {line}: .*too large"):
+        export(Request((path,), "jsonl", tmp_path / "out"))
+    assert not (tmp_path / "out").exists()
