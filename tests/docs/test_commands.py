@@ -15,7 +15,7 @@ from tests.tui.test_cli_contract import commands, options_of
 from verbteach_sessions.script import PREFIXES, WORDS
 
 PAGE = ROOT / "docs" / "commands.md"
-SECTION = re.compile(r"^## `verbteach(?P<name>[a-z ]*)`\n(?P<text>.*?)(?=^## |\Z)", re.M | re.S)
+SECTION = re.compile(r"^## `verbteach(?P<name>[a-z -]*)`\n(?P<text>.*?)(?=^## |\Z)", re.M | re.S)
 OPTION = re.compile(r"^\| (`--.*?`) \|", re.M)
 SCRIPT = re.compile(r"^## A teacher's script\n.*?```\n(.*?)```", re.M | re.S)
 HELP = {"--help", "-h"}
