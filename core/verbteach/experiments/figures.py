@@ -45,8 +45,7 @@ def figure(
         raise ValueError("a figure needs at least one run, and each run an observation")
     tables = [_by_group(run) for run in runs]
     means = np.array([sums.sum() / counts.sum() for sums, counts in tables])
-    drawn = np.array([_resampled(tables, rng) for _ in range(resamples)])
-    low, high = np.quantile(drawn, [0.025, 0.975])
+    low, high = np.quantile(_resampled(tables, rng, resamples), [0.025, 0.975])
     sd = float(means.std(ddof=1)) if len(means) > 1 else 0.0
     return Figure(float(means.mean()), sd, (float(low), float(high)), len(runs))
 
@@ -80,11 +79,14 @@ def _by_group(run: Sequence[Observation]) -> tuple[_Table, _Table]:
     return sums, counts
 
 
-def _resampled(tables: Sequence[tuple[_Table, _Table]], rng: np.random.Generator) -> float:
-    """The mean of one bootstrap sample of runs and documents."""
-    total = 0.0
-    for chosen in rng.integers(len(tables), size=len(tables)):
-        sums, counts = tables[chosen]
-        documents = rng.integers(len(sums), size=len(sums))
-        total += float(sums[documents].sum() / counts[documents].sum())
-    return total / len(tables)
+def _resampled(
+    tables: Sequence[tuple[_Table, _Table]], rng: np.random.Generator, resamples: int
+) -> _Table:
+    """The means of bootstrap samples: runs are drawn, and documents within each drawn run."""
+    drawn = rng.integers(len(tables), size=(resamples, len(tables)))
+    means = np.zeros(drawn.shape)
+    for run, (sums, counts) in enumerate(tables):
+        places = drawn == run
+        documents = rng.integers(len(sums), size=(int(places.sum()), len(sums)))
+        means[places] = sums[documents].sum(1) / counts[documents].sum(1)
+    return np.asarray(means.mean(1))

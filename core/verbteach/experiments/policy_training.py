@@ -20,26 +20,31 @@ from verbteach.experiments.interactive_training import (
     TrainingParameters,
     unheard,
 )
+from verbteach.experiments.simulated_human import HumanParameters
 from verbteach.policy.weights_file import Matrix, PolicyWeights
 
 LEARNER_NAMES: tuple[str, ...] = (*LEARNERS, "lspi")
 """The learners that ``TrainingParameters.learner`` may name."""
 
-NOISES = ("perfect", "std3", "std5", "uniform")
+NOISES = ("perfect", "std3")
+"""The levels that a robot in a person's hands is most likely to have."""
 
 
 @dataclass(frozen=True)
 class Schooling:
-    """What to train on and how: the noise levels are met together, evenly."""
+    """What to train on and how: the noise levels are met together, evenly; ``human`` answers."""
 
     noises: tuple[str, ...] = NOISES
     reading: str = "literal"
     seed: int = 0
     training: TrainingParameters = field(default_factory=TrainingParameters)
+    human: HumanParameters = field(default_factory=HumanParameters)
 
     def configs(self) -> list[Config]:
         """One configuration a noise level."""
-        base = Config(reading=self.reading, seed=self.seed, training=self.training)
+        base = Config(
+            reading=self.reading, seed=self.seed, training=self.training, human=self.human
+        )
         return [replace(base, noise=noise) for noise in self.noises]
 
 

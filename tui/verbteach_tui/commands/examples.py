@@ -87,7 +87,10 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "verbteach sessions evaluate-policy my-sessions --policy rl --weights weights.json --json",
     ),
     "verbteach sessions example": (
-        "verbteach benchmark": ("verbteach benchmark check tell-me-dave",),
+        "verbteach sessions example --out example-corpus",
+        "verbteach sessions example --out small --sessions 4 --lessons 2 --seed 1",
+    ),
+    "verbteach benchmark": ("verbteach benchmark check tell-me-dave",),
     "verbteach benchmark check": (
         "verbteach benchmark check tell-me-dave",
         "verbteach benchmark check tell-me-dave --json",
@@ -119,6 +122,18 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "verbteach evaluate --data tell-me-dave",
         "verbteach evaluate --data tell-me-dave --policy she16-all --grounding oracle --json",
         "verbteach evaluate --data tell-me-dave --noise std3 --runs 5",
+    ),
+    "verbteach train": (
+        "verbteach train --out weights.json",
+        "verbteach train --noise std3 --learner true-online --episodes 2000 --out weights.json",
+        "verbteach train --from my-sessions/20260101-120000-abcdefgh --out weights.json --json",
+    ),
+    "verbteach reproduce": (
+        "verbteach reproduce all --out results",
+        "verbteach reproduce table4 --data tell-me-dave --runs 5 --out results --json",
+        "verbteach reproduce all --data tell-me-dave --with phantom --with harder-teacher"
+        " --out results",
+        "verbteach reproduce all --data tell-me-dave --out results --resume",
     ),
     "verbteach bench": (
         "verbteach bench",

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated, Literal
 
 import typer
+
+from verbteach_tui.conclusion import WrongUseError
 
 
 def scene_names(incomplete: str) -> list[str]:
@@ -15,6 +18,14 @@ def scene_names(incomplete: str) -> list[str]:
     return [name for name in scene_ids() if name.startswith(incomplete)]
 
 
+def chosen(values: Sequence[str], choices: Sequence[str], option: str) -> None:
+    """Refuse what is none of an option's choices; Typer checks no lists itself."""
+    for value in values:
+        if value not in choices:
+            raise WrongUseError(f"{option} {value}: there are {', '.join(choices)}")
+
+
+NOISES = ("perfect", "std3", "std5", "uniform")
 JsonFlag = Annotated[
     bool, typer.Option("--json", help="Print exactly one JSON document on standard output.")
 ]

@@ -16,6 +16,7 @@ from verbteach_tui.commands import (
     lessons,
     parse,
     replay,
+    reproduce,
     scenes,
     serve,
     sessions,
@@ -26,6 +27,7 @@ from verbteach_tui.commands import (
     sessions_teachers,
     study,
     teach,
+    train,
 )
 from verbteach_tui.commands.examples import epilog
 from verbteach_tui.commands.home import home
@@ -38,7 +40,9 @@ COMMANDS: Mapping[str, Command] = {
     "teach": teach.teach,
     "replay": replay.replay,
     "parse": parse.parse,
+    "train": train.train,
     "evaluate": evaluate.evaluate,
+    "reproduce": reproduce.reproduce,
     "serve": serve.serve,
     "bench": bench.bench,
     "doctor": doctor.doctor,

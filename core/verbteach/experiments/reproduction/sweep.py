@@ -1,0 +1,50 @@
+"""Many tasks: rows keyed by what they hang on, so that a killed sweep goes on where it was.
+
+How the work is spread comes in as ``mapper`` and where rows are kept as
+``keep``; a row is a function of its task alone, so neither the number of
+workers nor the order of work changes one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Protocol
+
+from verbteach.experiments.reproduction.rows import Row
+from verbteach.experiments.reproduction.task import Task
+
+
+class Mapper(Protocol):
+    """Applies a function to every task, in any number of processes, in any order."""
+
+    def __call__(self, function: Callable[[Task], Row], tasks: Sequence[Task], /) -> Iterable[Row]:
+        """Give the rows back as they are done."""
+        ...
+
+
+def in_turn(function: Callable[[Task], Row], tasks: Sequence[Task], /) -> Iterator[Row]:
+    """The mapper of one process."""
+    return map(function, tasks)
+
+
+def sweep(
+    tasks: Sequence[Task],
+    score: Callable[[Task], Row],
+    done: Iterable[Row] = (),
+    keep: Callable[[Row], None] | None = None,
+    mapper: Mapper = in_turn,
+) -> dict[str, Row]:
+    """Score what is not done yet and keep each row as it comes; all rows by key, in tasks' order.
+
+    Raises ``ValueError`` where the mapper gives a row back that nobody asked for.
+    """
+    wanted = {task.key: task for task in tasks}
+    rows = {row.key: row for row in done if row.key in wanted}
+    left = [task for key, task in wanted.items() if key not in rows]
+    for row in mapper(score, left):
+        if row.key not in wanted or row.key in rows:
+            raise ValueError(f"the row {row.key} was not asked for, or came twice")
+        rows[row.key] = row
+        if keep is not None:
+            keep(row)
+    return {key: rows[key] for key in wanted}

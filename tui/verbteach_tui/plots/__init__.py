@@ -1,0 +1,1 @@
+"""Curves drawn: into files with matplotlib, and in the terminal with braille dots."""

@@ -1,0 +1,75 @@
+"""Spreading tasks over processes, here or on a cluster; which of them is busy changes no result."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from verbteach_tui.conclusion import WrongUseError
+
+if TYPE_CHECKING:
+    from verbteach.experiments.reproduction.rows import Row
+    from verbteach.experiments.reproduction.task import Task
+
+_THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
+
+
+def one_thread() -> None:
+    """Let numpy use one thread, here and in processes begun later, unless the person chose.
+
+    The matrices are small: more threads only wait for each other, and take two
+    to three times as long. It must be called before numpy is imported.
+    """
+    for name in _THREADS:
+        os.environ.setdefault(name, "1")
+
+
+@dataclass(frozen=True)
+class Workers:
+    """A mapper for sweeps: ``jobs`` processes here, or those of a Dask cluster."""
+
+    jobs: int = 1
+    cluster: str | None = None
+
+    def __call__(self, function: Callable[[Task], Row], tasks: Sequence[Task], /) -> Iterable[Row]:
+        """The rows as they are done, in any order."""
+        if self.cluster is None and (self.jobs == 1 or len(tasks) < 2):
+            return map(function, tasks)
+        return self._spread(function, tasks)
+
+    def _spread(self, function: Callable[[Task], Row], tasks: Sequence[Task]) -> Iterator[Row]:
+        from joblib import Parallel, delayed
+
+        with self._backend() as jobs:
+            parallel = Parallel(n_jobs=jobs, return_as="generator_unordered", batch_size=1)
+            yield from parallel(delayed(function)(task) for task in tasks)
+
+    @contextmanager
+    def _backend(self) -> Iterator[int]:
+        from joblib import parallel_config
+
+        if self.cluster is None:
+            with parallel_config(backend="loky", inner_max_num_threads=1):
+                yield self.jobs
+            return
+        with _client(self.cluster) as client, parallel_config(backend="dask", client=client):
+            yield -1
+
+
+@contextmanager
+def _client(address: str) -> Iterator[Any]:
+    """A client of the cluster's scheduler."""
+    try:
+        import distributed
+    except ImportError:
+        raise WrongUseError("--cluster needs Dask: pip install 'verbteach[cluster]'") from None
+    try:
+        make: Any = distributed.Client  # it has no types
+        client = make(address, timeout="10s", set_as_default=False)
+    except (OSError, ValueError, TimeoutError) as error:
+        raise WrongUseError(f"there is no Dask scheduler at {address}: {error}") from error
+    with client:
+        yield client
