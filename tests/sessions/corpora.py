@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+
 from tests.sessions.rooms import babble, begin, recorded
 
 ANNA, BEN = "k7m2xq9fhd", "p3w8rt5vnz"
@@ -42,8 +44,17 @@ good
 """
 
 
-def make_corpus(folder: Path) -> tuple[Path, ...]:
-    """Three sessions in ``folder``: Anna's, Ben's, and one by a program; sorted by who taught."""
+_made: list[tuple[Path, ...]] = []
+
+
+def small_corpus(folders: pytest.TempPathFactory) -> tuple[Path, ...]:
+    """Three sessions: Anna's, Ben's, and one by a program. Made once for all tests; read only."""
+    if not _made:
+        _made.append(_make(folders.mktemp("corpus")))
+    return _made[0]
+
+
+def _make(folder: Path) -> tuple[Path, ...]:
     anna = recorded(folder, BY_ANNA, teacher="human", participant=ANNA)
     ben = recorded(folder, BY_BEN, teacher="human", participant=BEN)
     with begin(folder, teacher="simulated") as session:

@@ -9,7 +9,7 @@ from unittest.mock import patch
 
 import pytest
 
-from tests.sessions.corpora import ANNA, MAIL, make_corpus
+from tests.sessions.corpora import ANNA, MAIL, small_corpus
 from tests.tui.commandline import assert_refused, here
 from verbteach_sessions.exports.formats import FORMATS
 from verbteach_tui.commands.sessions_export import FormatName
@@ -32,7 +32,7 @@ STATS = {
 @pytest.fixture(scope="module")
 def kept(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder of three sessions. Tests leave it as it is."""
-    return make_corpus(tmp_path_factory.mktemp("sessions"))[0].parent
+    return small_corpus(tmp_path_factory)[0].parent
 
 
 @pytest.fixture

@@ -101,7 +101,9 @@ def _validated(
     path: Path, settings: Settings, problems: list[Reason], warnings: list[Reason]
 ) -> None:
     found = validate(path, settings)
-    warnings += [Reason("valid", path.name, one.message) for one in found.warnings]
+    # What looks personal is looked at again, with what was decided about it.
+    others = [one for one in found.warnings if one.rule != "personal"]
+    warnings += [Reason("valid", path.name, one.message) for one in others]
     old = bool(found.problems) and _is_of_other_software(path)
     for one in found.problems:
         # Another version may word or choose otherwise; what was recorded stays the authority.

@@ -142,7 +142,7 @@ def _turn(turn: Turn) -> str:
 
 def _told(turn: Turn, sights: Mapping[str, int]) -> dict[str, Any]:
     """What the script shows beside a turn, all text made visible."""
-    beliefs = turn.beliefs or {"grounding": [], "goals": [], "uncertain": []}
+    beliefs: Mapping[str, Any] = turn.beliefs or {"grounding": [], "goals": [], "uncertain": []}
     told: dict[str, Any] = {
         "sight": sights.get(turn.world),
         "at": round(turn.at, 1),

@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 
-from tests.sessions.corpora import make_corpus
+from tests.sessions.corpora import small_corpus
 
 
 @pytest.fixture(scope="session")
 def corpus(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, ...]:
-    return make_corpus(tmp_path_factory.mktemp("corpus"))
+    return small_corpus(tmp_path_factory)
 
 
 @pytest.fixture

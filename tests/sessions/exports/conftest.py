@@ -6,14 +6,14 @@ from pathlib import Path
 
 import pytest
 
-from tests.sessions.corpora import make_corpus
+from tests.sessions.corpora import small_corpus
 from verbteach_sessions.exports.dialogue import Dialogue
 from verbteach_sessions.exports.reading import read_dialogue
 
 
 @pytest.fixture(scope="session")
 def corpus(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, ...]:
-    return make_corpus(tmp_path_factory.mktemp("corpus"))
+    return small_corpus(tmp_path_factory)
 
 
 @pytest.fixture(scope="session")
