@@ -1,7 +1,7 @@
-"""Writes the tables of session-format.md from the code's own.
+"""Writes the tables of session-format.md, and the JSON Schema that ships, from the code's own.
 
-`python docs/session_fields.py` rewrites the marked blocks; `--check` only says
-whether they are current. What a block shows is never edited by hand.
+`python docs/session_fields.py` rewrites the marked blocks and the schema; `--check`
+only says whether they are current. What they show is never edited by hand.
 """
 
 from __future__ import annotations
@@ -12,11 +12,14 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields
 from pathlib import Path
 
+import verbteach_sessions
 from verbteach.dialogue.codec import ROBOT_ACTS, TEACHER_ACTS
 from verbteach_sessions.events import EVENT_TYPES, OUTSIDE_CONTENT, SHAPES
+from verbteach_sessions.schema import SCHEMA_NAME, schema_text
 from verbteach_sessions.shapes import Shape
-from verbteach_sessions.validate import RULES
+from verbteach_sessions.validate import CAUTIONS, RULES
 
+SCHEMA = Path(verbteach_sessions.__file__).parent / "data" / SCHEMA_NAME
 PAGE = Path(__file__).resolve().parent / "session-format.md"
 _BLOCK = re.compile(r"(<!-- generated: (?P<name>[a-z ]+) -->\n).*?(<!-- end -->)", re.DOTALL)
 
@@ -46,6 +49,13 @@ def rules() -> str:
     return _table("| rule | asks |", [f"| `{name}` | {asks} |" for name, asks in RULES.items()])
 
 
+def cautions() -> str:
+    """What validation asks of a record that is sound all the same without it."""
+    return _table(
+        "| caution | asks |", [f"| `{name}` | {asks} |" for name, asks in CAUTIONS.items()]
+    )
+
+
 def outside() -> str:
     """The types of event that leave no trace in the content hash."""
     return ", ".join(f"`{name}`" for name in sorted(OUTSIDE_CONTENT)) + "\n"
@@ -70,6 +80,7 @@ BLOCKS: Mapping[str, Callable[[], str]] = {
     "shapes": shapes,
     "acts": acts,
     "rules": rules,
+    "cautions": cautions,
     "outside": outside,
 }
 
@@ -87,8 +98,10 @@ def main(arguments: list[str]) -> int:
     """Rewrite the page, or with ``--check`` answer 1 if that would change it."""
     page = PAGE.read_text("utf-8")
     if "--check" in arguments:
-        return int(page != current(page))
+        shipped = SCHEMA.read_text("utf-8") if SCHEMA.exists() else ""
+        return int(page != current(page) or shipped != schema_text())
     PAGE.write_text(current(page), "utf-8")
+    SCHEMA.write_text(schema_text(), "utf-8")
     return 0
 
 

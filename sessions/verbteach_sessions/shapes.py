@@ -15,10 +15,14 @@ MAX_DEPTH = 32
 
 
 class Kind(NamedTuple):
-    """A kind of value. ``problems`` yields what is wrong with one, each with a path into it."""
+    """A kind of value. ``problems`` yields what is wrong with one, each with a path into it.
+
+    ``schema`` says the same in JSON Schema's words, but for how deep a value may be.
+    """
 
     name: str
     problems: Callable[[Any], Iterator[str]]
+    schema: Mapping[str, Any]
 
 
 class Field(NamedTuple):
@@ -60,7 +64,8 @@ def wrong_fields(shape: Shape, value: Any) -> Iterator[str]:
 
 def of_shape(shape: Shape) -> Kind:
     """Values of a shape."""
-    return Kind(shape.name, lambda value: wrong_fields(shape, value))
+    reference = {"$ref": f"#/$defs/{shape.name}"}
+    return Kind(shape.name, lambda value: wrong_fields(shape, value), reference)
 
 
 def list_of(kind: Kind) -> Kind:
@@ -73,7 +78,8 @@ def list_of(kind: Kind) -> Kind:
         for index, item in enumerate(value):
             yield from (f"[{index}]{problem}" for problem in kind.problems(item))
 
-    return Kind(f"list of {kind.name}", problems)
+    schema = {"type": "array", "items": kind.schema}
+    return Kind(f"list of {kind.name}", problems, schema)
 
 
 def row_of(*kinds: Kind) -> Kind:
@@ -86,7 +92,9 @@ def row_of(*kinds: Kind) -> Kind:
         for index, (kind, item) in enumerate(zip(kinds, value, strict=True)):
             yield from (f"[{index}]{problem}" for problem in kind.problems(item))
 
-    return Kind(f"[{', '.join(kind.name for kind in kinds)}]", problems)
+    size = {"minItems": len(kinds), "maxItems": len(kinds)}
+    schema = {"type": "array", "prefixItems": [kind.schema for kind in kinds], **size}
+    return Kind(f"[{', '.join(kind.name for kind in kinds)}]", problems, schema)
 
 
 def mapping_of(kind: Kind) -> Kind:
@@ -99,20 +107,24 @@ def mapping_of(kind: Kind) -> Kind:
         for name, item in value.items():
             yield from (f".{name[:40]}{problem}" for problem in kind.problems(item))
 
-    return Kind(f"object of {kind.name}", problems)
+    schema = {"type": "object", "additionalProperties": kind.schema}
+    return Kind(f"object of {kind.name}", problems, schema)
 
 
 def or_null(kind: Kind) -> Kind:
     """The kind, or ``null``."""
-    return Kind(f"{kind.name} or null", lambda v: iter(()) if v is None else kind.problems(v))
+    schema = {"anyOf": [kind.schema, {"type": "null"}]}
+    return Kind(
+        f"{kind.name} or null", lambda v: iter(()) if v is None else kind.problems(v), schema
+    )
 
 
-def _plain(name: str, fits: Callable[[Any], bool]) -> Kind:
+def _plain(name: str, fits: Callable[[Any], bool], *types: str) -> Kind:
     def problems(value: Any) -> Iterator[str]:
         if not fits(value):
             yield f": is no {name}"
 
-    return Kind(name, problems)
+    return Kind(name, problems, {"type": types[0] if len(types) == 1 else list(types)})
 
 
 def _is_integer(value: Any) -> bool:
@@ -130,13 +142,19 @@ def _object_problems(value: Any) -> Iterator[str]:
         yield f": is nested deeper than {MAX_DEPTH}"
 
 
-TEXT = _plain("text", lambda value: type(value) is str)
-INTEGER = _plain("integer", _is_integer)
-NUMBER = _plain("number", _is_number)
-FLAG = _plain("true or false", lambda value: type(value) is bool)
-OBJECT = Kind("object", _object_problems)
+TEXT = _plain("text", lambda value: type(value) is str, "string")
+INTEGER = _plain("integer", _is_integer, "integer")
+NUMBER = _plain("number", _is_number, "number")
+FLAG = _plain("true or false", lambda value: type(value) is bool, "boolean")
+OBJECT = Kind("object", _object_problems, {"type": "object"})
 TEXTS = list_of(TEXT)
-ANSWER = _plain("integer, text or null", lambda value: type(value) in (int, str, type(None)))
+ANSWER = _plain(
+    "integer, text or null",
+    lambda value: type(value) in (int, str, type(None)),
+    "integer",
+    "string",
+    "null",
+)
 
 
 def depth(value: Any) -> int:

@@ -10,6 +10,7 @@ from typing import Any
 from verbteach.dialogue.setting import Settings, UnknownSceneError
 from verbteach.language.agreement import NoSecondReaderError
 from verbteach_sessions.checks import CHECKS
+from verbteach_sessions.corpus.personal import Scanner
 from verbteach_sessions.errors import DamagedLogError, LogError, NotASessionError, SessionError
 from verbteach_sessions.eventlog import LogReader
 from verbteach_sessions.events import EVENT_TYPES, HEADER
@@ -19,6 +20,7 @@ from verbteach_sessions.history import History, OrderError
 from verbteach_sessions.lines import Event
 from verbteach_sessions.replay import verify
 from verbteach_sessions.shapes import wrong_fields
+from verbteach_sessions.typed import typed
 
 RULES: Mapping[str, str] = {
     "file": "The file is there, is a log of a version that can be read, and its lines are JSON.",
@@ -29,6 +31,12 @@ RULES: Mapping[str, str] = {
     **{name: check.__doc__ or "" for name, check in CHECKS.items()},
     "replay": "Recomputing every reply gives what was recorded. Asked only if all else is sound.",
 }
+CAUTIONS: Mapping[str, str] = {
+    "torn": "The last line was written to its end.",
+    "header-file": "`header.json` is there and says what the log says.",
+    "personal": "Nothing that a person typed looks like personal data. The scan can be wrong.",
+}
+"""Rules that a sound record may break: that is told as a warning."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +90,9 @@ class _Walk:
     def __init__(self, reader: LogReader) -> None:
         self._reader = reader
         self._history = History()
+        self._scanner = Scanner()
+        self._told: set[str] = set()
+        self._personal: list[Finding] = []
 
     def problems(self) -> Iterator[Finding]:
         try:
@@ -98,6 +109,7 @@ class _Walk:
             yield Finding("file", None, str(error))
 
     def warnings(self) -> Iterator[Finding]:
+        yield from self._personal
         for text in self._reader.warnings:
             yield Finding("torn", self._reader.position.seq, text)
         header = self._history.header
@@ -121,6 +133,7 @@ class _Walk:
         if event.type == HEADER and (problem := _wrong_header(event)):
             yield Finding("header", event.seq, problem)
             return
+        self._scan(event)
         found = [
             Finding(rule, event.seq, problem)
             for rule, check in CHECKS.items()
@@ -131,6 +144,15 @@ class _Walk:
         except OrderError as error:  # what the others say of such an event means nothing
             found = [Finding("order", event.seq, str(error))]
         yield from found
+
+    def _scan(self, event: Event) -> None:
+        """Note what looks personal, each text once; what it is is not said again."""
+        hits = (hit for text in typed(event) for hit in self._scanner.hits(text))
+        for hit in hits:
+            if hit.text not in self._told:
+                self._told.add(hit.text)
+                message = f"what was typed looks like personal data ({hit.kind})"
+                self._personal.append(Finding("personal", event.seq, message))
 
 
 _BASIC = frozenset({"schema", "header", "order"})

@@ -32,7 +32,7 @@ SCRIPT = TAUGHT + "good\nnote: so\nundo\nredo\nquit\n"
 REFUSALS = (SessionError, ValueError, UnknownSceneError)
 
 ODD: tuple[Any, ...] = (
-    None, True, -1, 10**30, 1.5, -0.0, "", "../../etc/passwd", "\x1b[2J", "kitchen-1",
+    None, True, -1, 10**30, 1.5, -0.5, "", "../../etc/passwd", "\x1b[2J", "kitchen-1",
     [], {}, [[]], {"act": "yes"}, ["a", 1], {"": None}, [None, [True]],
 )  # fmt: skip
 GONE = object()
@@ -269,7 +269,8 @@ def test_a_huge_record_takes_bounded_memory(tmp_path: Path, shape: str) -> None:
 
 
 def test_a_record_of_wrong_types_all_over_is_refused(tmp_path: Path) -> None:
-    for value in (None, 1, "text", [], {}, True, [[]], {"data": {}}):
+    values: tuple[Any, ...] = (None, 1, "text", [], {}, True, [[]], {"data": {}})
+    for value in values:
         (tmp_path / LOG_NAME).write_bytes(lined(json.dumps(value), kind='"header"'))
         assert not validate(tmp_path, settings).valid
         with pytest.raises(SessionError):

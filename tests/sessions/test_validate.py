@@ -14,7 +14,7 @@ from tests.sessions.rooms import TAUGHT, babble, begin, recorded, say, settings
 from verbteach.dialogue.setting import Setting, UnknownSceneError
 from verbteach_sessions.eventlog import LOG_NAME
 from verbteach_sessions.header_file import HEADER_NAME
-from verbteach_sessions.validate import RULES, validate
+from verbteach_sessions.validate import CAUTIONS, RULES, validate
 
 Events = list[dict[str, Any]]
 Change = Callable[[Events], object]
@@ -187,6 +187,30 @@ def test_a_damaged_file_breaks_its_rule(
     damage(path)
     (problem,) = validate(path, settings).problems
     assert (problem.rule, problem.seq) == (rule, seq)
+
+
+PERSONAL: list[tuple[str, Change]] = [
+    ("e-mail", lambda e: first(e, "note")["data"].__setitem__("text", "write to ann@example.org")),
+    ("name", lambda e: first(e, "note")["data"].__setitem__("raw", "note: my name is Ann Lee")),
+    ("telephone", lambda e: e[2]["data"].__setitem__("raw", "call +49 30 901820 then")),
+]
+
+
+@pytest.mark.parametrize(("kind", "change"), PERSONAL)
+def test_what_looks_personal_is_a_warning_that_does_not_repeat_it(
+    path: Path, kind: str, change: Change
+) -> None:
+    forge(path, change)
+    validation = validate(path, settings)
+    assert validation.valid
+    (warning,) = validation.warnings
+    assert warning.rule == "personal"
+    assert kind in warning.message
+    assert "ann" not in warning.message.casefold()
+
+
+def test_every_caution_is_tested() -> None:
+    assert set(CAUTIONS) == {"torn", "header-file", "personal"}
 
 
 def test_every_rule_has_a_mutation() -> None:
