@@ -9,10 +9,12 @@ from typing import Any
 import pytest
 
 from tests.scenarios.tell_me_dave_folder import OBJECTS, REAL, needs_corpus, write_document
+from tests.sessions.rooms import BOIL, recorded
 from tests.tui.commandline import assert_refused, here
 from verbteach_scenarios.grounds import of_corpus, of_lessons
 from verbteach_scenarios.lessons import load_lessons
 from verbteach_scenarios.settings import make_settings
+from verbteach_scenarios.weights import STARTING
 
 FIGURES = ("ied", "sji", "questions_learning", "questions_execution")
 
@@ -92,7 +94,12 @@ def test_one_room_cannot_be_held_out(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("--policy", "rl"), "this version has no policy 'rl'"),
+        (("--policy", "psychic"), "this version has no policy 'psychic'"),
+        (("--policy", "manual", "--weights", "w.json"), "--weights"),
+        (("--policy", "manual", "--grounding", "own"), "--grounding own"),
+        (("--policy", "rl", "--criterion", "oracle"), "--criterion"),
+        (("--policy", "rl", "--weights", "no-such-file"), "no-such-file"),
+        (("--from", "no-such-session"), "no-such-session"),
         (("--criterion", "luck"), "luck"),
         (("--objects", "none-at-all"), "none-at-all"),
         (("--grounding", "guess"), "guess"),
@@ -104,6 +111,53 @@ def test_one_room_cannot_be_held_out(tmp_path: Path) -> None:
 )
 def test_wrong_use_is_one_line(words: tuple[str, ...], said: str) -> None:
     assert_refused(here("evaluate", *words), said)
+
+
+@pytest.mark.parametrize("policy", ["manual", "split", "random", "silent"])
+def test_policies_that_ask_have_the_same_figures(folder: Path, policy: str) -> None:
+    words = ("--data", folder, "--policy", policy, "--noise", "std3")
+    document = scored(*words)
+    assert document["policy"] == policy
+    assert document["instances"] == 4
+    for name in FIGURES:
+        assert document[name]["runs"] == 1
+    asked = document["questions_execution"]["mean"]
+    assert sum(document["by_type"].values()) == pytest.approx(asked)
+    assert (asked > 0) == (policy in {"manual", "random"}) or policy == "split"
+    assert scored(*words) == document
+
+
+def test_weights_are_tested_without_learning_to_ask_again(folder: Path) -> None:
+    document = scored("--data", folder, "--weights", STARTING, "--runs", 2)
+    assert document["policy"] == "rl"
+    assert document["sji"]["runs"] == 2
+
+
+def test_a_robot_that_somebody_taught_is_scored(folder: Path, tmp_path: Path) -> None:
+    """It was taught in another world, so that it knows no command of these rooms."""
+    taught = recorded(tmp_path, BOIL)
+    document = scored("--data", folder, "--from", taught)
+    assert document["from"] == str(taught)
+    assert document["verbs"] == ["boil"]
+    assert document["commands_of_known_verbs"] == 0
+    assert document["instances"] == 4
+    assert document["policy"] == "silent"
+    assert document["questions_learning"]["mean"] == 0
+    asking = scored("--data", folder, "--from", taught, "--policy", "rl")
+    assert asking["policy"] == "rl"
+
+
+def test_a_robot_that_learned_nothing_is_not_scored(folder: Path, tmp_path: Path) -> None:
+    taught = recorded(tmp_path, "note: nothing yet\n")
+    assert_refused(here("evaluate", "--data", folder, "--from", taught), "learned no verb")
+
+
+@pytest.mark.slow
+def test_a_taught_robot_does_in_other_rooms_what_it_was_taught(tmp_path: Path) -> None:
+    taught = recorded(tmp_path, BOIL)
+    document = scored("--from", taught)
+    assert document["commands_of_known_verbs"] > 0
+    assert document["sji"]["mean"] > 0
 
 
 def test_lessons_become_instances_with_each_scene_held_out() -> None:

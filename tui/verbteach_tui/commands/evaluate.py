@@ -10,7 +10,13 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
 
 import typer
 
-from verbteach_tui.commands.evaluate_policy import Question, policy_document, taught_document
+from verbteach_tui.commands.evaluate_policy import (
+    LEARNED,
+    RULES,
+    Question,
+    policy_document,
+    taught_document,
+)
 from verbteach_tui.commands.parameters import (
     JsonFlag,
     NoiseOption,
@@ -176,7 +182,7 @@ def _setup(
     from verbteach.perception.noise import NoiseModel
 
     if policy not in VARIANTS:
-        has = ", ".join(VARIANTS)
+        has = ", ".join((*VARIANTS, LEARNED, *RULES))
         raise WrongUseError(f"this version has no policy {policy!r} to evaluate; it has: {has}")
     try:
         chosen = variant(
