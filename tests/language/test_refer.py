@@ -13,6 +13,7 @@ from verbteach.language.grammar import parse
 from verbteach.language.looks import Looks
 from verbteach.language.refer import Verdict, refer, verdict
 from verbteach.world.fluents import Fluent
+from verbteach_scenarios.scenes import load_scene
 
 MEANT = {
     "an id": ("mug_2", ["Mug_2"]),
@@ -88,6 +89,24 @@ def test_a_word_for_a_thing_and_for_its_contents_is_told_by_the_role() -> None:
     beer = phrase("the beer", room)
     assert refer(beer, room)[0][0] == "Beer_1"
     assert refer(beer, room, (), "with")[0][0] == "Beer"
+
+
+def test_an_amount_leaves_the_contents_in_play() -> None:
+    room = looks()
+    some = phrase("some beer", room)
+    assert [thing for thing, _ in refer(some, room)] == ["Beer_1", "Beer"]
+    assert verdict(some, refer(some, room)) is Verdict.ONE
+    assert refer(some, room, (), "with")[0][0] == "Beer"
+    assert meant("some beers") == ["Beer_1"]
+    assert meant("some mugs") == ["Mug_1", "Mug_2", "Mug_3"]
+
+
+def test_things_with_names_in_the_plural_are_found() -> None:
+    room = Looks(load_scene("living-room-1"), load_scene("living-room-1").initial, looks().lexicon)
+    assert "Cartoons" in meant("the cartoons", room)
+    assert "Chips_1" in meant("the chips", room)
+    assert meant("the pillows", room) == ["Pillow_1", "Pillow_2", "Pillow_3", "Pillow_4"]
+    assert meant("the cartoon", room) == []
 
 
 def test_a_relation_follows_the_world() -> None:

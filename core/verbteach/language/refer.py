@@ -14,6 +14,7 @@ from typing import TypeAlias
 
 from verbteach.language.frames import NounPhrase
 from verbteach.language.looks import FIRST_NAME, Looks
+from verbteach.language.morphology import plural
 from verbteach.language.words import NUMBERS, ORDINALS, POSSESSIVES
 
 Candidates: TypeAlias = tuple[tuple[str, float], ...]
@@ -36,6 +37,8 @@ _OTHER = frozenset({"other", "another"})
 _ALL = frozenset({"all", "both", "every", "each"})
 _NEAR_BEST = 0.3
 _SECOND_SENSE = 0.25
+_MASS_SENSE = 0.5
+_MASS = frozenset({"some", "more", "any", "bit"})
 _ABOUT_CONTENTS = frozenset({"with", "of"})
 _SIZES = {"tiny": 0, "small": 1, "medium": 2, "large": 3, "big": 3, "huge": 4}
 _SUPERLATIVES = {
@@ -50,7 +53,7 @@ _HOLDING = frozenset({"hold", "carry", "grasp", "have"})
 class _Said:
     """A noun phrase sorted into what each of its words is good for."""
 
-    head: str
+    heads: tuple[str, ...]
     marks: tuple[str, ...]
     number: str = ""
     other: bool = False
@@ -65,7 +68,7 @@ class _Said:
         placed = [inner.head for _, inner in phrase.relations if inner.head in POSITIONS]
         digits = [w for w in words if w.isdecimal()]
         return cls(
-            head=phrase.head,
+            heads=_heads(phrase),
             marks=(*(w for w in words if _is_mark(w)), *placed),
             number=digits[-1] if digits else "",
             other=not _OTHER.isdisjoint({*words, *phrase.determiner.split()}),
@@ -74,6 +77,11 @@ class _Said:
             holder=next(filter(None, map(_holder, words)), ""),
             relations=tuple(r for r in phrase.relations if r[1].head not in POSITIONS),
         )
+
+
+def _heads(phrase: NounPhrase) -> tuple[str, ...]:
+    """The noun as names may have it: some name one thing in the plural, as "the keys" do."""
+    return (phrase.head, plural(phrase.head)) if phrase.plural else (phrase.head,)
 
 
 def _is_mark(word: str) -> bool:
@@ -99,7 +107,8 @@ def refer(
     ``spoken`` are the objects spoken of before, the latest last, for "it" and
     "the other one"; ``listed`` those offered in order, for "the second one".
     ``role`` tells "throw the beer" from "fill it with beer": one word for a
-    thing and for what is in it means the thing unless the role asks for contents.
+    thing and for what is in it means the thing unless the role asks for contents;
+    with "some" before it the other sense stays in play.
     """
     if phrase.head in _POINTERS | _PLURAL_POINTERS and not phrase.modifiers:
         latest = spoken if phrase.head in _PLURAL_POINTERS else spoken[-1:]
@@ -110,7 +119,8 @@ def refer(
     weights = {thing: _fit(thing, said, looks, spoken) for thing in looks.objects}
     if not any(weights.values()) and spoken and not said.other:
         weights = {thing: _fit(thing, said, looks, ()) for thing in looks.objects}
-    return _picked(_best(_sorted_out(weights, looks, role)), said, looks, listed)
+    second = _MASS_SENSE if _is_mass(phrase) else _SECOND_SENSE
+    return _picked(_best(_sorted_out(weights, looks, role, second)), said, looks, listed)
 
 
 def verdict(phrase: NounPhrase, candidates: Candidates) -> Verdict:
@@ -123,7 +133,14 @@ def verdict(phrase: NounPhrase, candidates: Candidates) -> Verdict:
     return Verdict.SEVERAL if many else Verdict.UNCLEAR
 
 
-def _sorted_out(weights: dict[str, float], looks: Looks, role: str) -> dict[str, float]:
+def _is_mass(phrase: NounPhrase) -> bool:
+    """Whether it is an amount that is spoken of: "some beer", but not "some beers"."""
+    return not phrase.plural and not _MASS.isdisjoint(phrase.determiner.split())
+
+
+def _sorted_out(
+    weights: dict[str, float], looks: Looks, role: str, second: float
+) -> dict[str, float]:
     """Things before contents of the same name; contents before things after "with" and "of"."""
     things = max((w for o, w in weights.items() if looks.is_thing(o)), default=0.0)
     contents = max((w for o, w in weights.items() if not looks.is_thing(o)), default=0.0)
@@ -132,7 +149,7 @@ def _sorted_out(weights: dict[str, float], looks: Looks, role: str) -> dict[str,
     behind = role in _ABOUT_CONTENTS
     if not behind and things < contents:
         return weights
-    return {o: w * _SECOND_SENSE if looks.is_thing(o) == behind else w for o, w in weights.items()}
+    return {o: w * second if looks.is_thing(o) == behind else w for o, w in weights.items()}
 
 
 def _best(weights: dict[str, float]) -> Candidates:
@@ -177,13 +194,18 @@ def _named(
     thing: str, said: _Said, looks: Looks, spoken: Sequence[str]
 ) -> tuple[float, Sequence[tuple[str, NounPhrase]]]:
     """How well the noun fits, and the relations that are not part of the name itself."""
-    if said.head == "one" and spoken:
+    if said.heads[0] == "one" and spoken:
         return _like_the_last(thing, said.marks, looks, spoken), said.relations
     for name, inner in said.relations[:1]:
-        fit = _noun_fit(thing, f"{said.head} {name} {inner.text}", said.marks, looks)
+        longer = [f"{head} {name} {inner.text}" for head in said.heads]
+        fit = _best_noun_fit(thing, longer, said.marks, looks)
         if fit:
             return fit, said.relations[1:]
-    return _noun_fit(thing, said.head, said.marks, looks), said.relations
+    return _best_noun_fit(thing, said.heads, said.marks, looks), said.relations
+
+
+def _best_noun_fit(thing: str, heads: Sequence[str], marks: Sequence[str], looks: Looks) -> float:
+    return max(_noun_fit(thing, head, marks, looks) for head in heads)
 
 
 def _noun_fit(thing: str, head: str, marks: Sequence[str], looks: Looks) -> float:
