@@ -243,3 +243,9 @@ async def test_nothing_moves_by_itself_over_a_slow_line(
     monkeypatch.delenv("TEXTUAL_ANIMATIONS", raising=False)
     async with room(tmp_path) as here:
         assert here.app.animation_level == "none"
+
+
+async def test_the_key_that_leads_to_the_line_is_no_part_of_it(tmp_path: Path) -> None:
+    async with room(tmp_path) as here:
+        await here.pilot.press("slash", *"open", "slash", "space", *"it")
+        assert here.teach.query_one(CommandInput).value == "open/ it"

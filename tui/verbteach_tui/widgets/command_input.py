@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import ClassVar
 
+from textual import events
 from textual.binding import Binding, BindingType
 from textual.suggester import Suggester
 from textual.widgets import Input
@@ -35,6 +36,12 @@ class CommandInput(Input):
         """Say what is wanted, and how it is completed."""
         self.placeholder = placeholder
         self._completion.complete = complete
+
+    def on_key(self, event: events.Key) -> None:
+        """No line begins with the key that leads to this one: pressed once more it does nothing."""
+        if event.character == "/" and not self.value:
+            event.prevent_default()
+            event.stop()
 
     def on_input_submitted(self, message: Input.Submitted) -> None:
         """Hand the line on. It stays until it is sent, so that nothing typed is lost."""
