@@ -33,7 +33,7 @@ from verbteach.verbs.pool import PoolParameters, PoolSource
 from verbteach.verbs.resemblance import Said
 from verbteach.verbs.seen_change import SeenChange
 from verbteach.verbs.space import Demonstration
-from verbteach.world.fluents import Goal, Literal
+from verbteach.world.fluents import Fluent, Goal, Literal
 from verbteach.world.plan import Action
 
 TOY = Toy(("b1", "b2"), ("t1", "t2"), ("l1",))
@@ -55,7 +55,10 @@ KNOWN = Memory.keeping(
 
 
 def command(
-    belief: Belief | None = None, known: Memory = KNOWN, parameters: InquiryParameters | None = None
+    belief: Belief | None = None,
+    known: Memory = KNOWN,
+    parameters: InquiryParameters | None = None,
+    relied: frozenset[Fluent] | None = frozenset(),
 ) -> ExecutionInquiry:
     objects = (("b1", "b2"), ("t1", "t2"))
     joint = tuple(product(*objects))
@@ -64,7 +67,9 @@ def command(
     )
     grounding = GroundingBelief.of({"box": {"b1": 1.0, "b2": 1.0}, "table": {"t1": 1.0, "t2": 1.0}})
     belief = belief or Belief.certain(frozenset({on("b1", "t1"), on("b2", "t1")}))
-    return ExecutionInquiry.begin(source, frozenset(), belief, grounding, parameters)
+    return ExecutionInquiry.begin(
+        source, frozenset(), belief, grounding, parameters, lambda state, goal: relied
+    )
 
 
 def acts(state: ExecutionInquiry | LearningInquiry) -> list[object]:
@@ -111,11 +116,16 @@ def test_a_goal_answer_is_kept_through_one_about_the_environment() -> None:
     assert literal in state.best
 
 
-def test_doubtful_fluents_are_asked_about_whether_seen_or_not() -> None:
-    doubtful = Belief.of({on("b1", "t1"): 0.6, on("b2", "t1"): 0.4})
-    state = command(doubtful, parameters=InquiryParameters(environment_questions=2))
+def test_doubtful_fluents_that_the_plan_needs_are_asked_about_whether_seen_or_not() -> None:
+    doubtful = Belief.of({on("b1", "t1"): 0.6, on("b2", "t1"): 0.4, on("b1", "t2"): 0.5})
+    both = frozenset({on("b1", "t1"), on("b2", "t1")})
+    parameters = InquiryParameters(environment_questions=3)
+    state = command(doubtful, parameters=parameters, relied=both)
     asked = {act.fluent for act in acts(state) if isinstance(act, EnvPredYnq)}
-    assert asked == {on("b1", "t1"), on("b2", "t1")}
+    assert asked == both
+    assert not any(isinstance(act, EnvPredYnq) for act in acts(command(doubtful)))
+    unplanned = acts(command(doubtful, parameters=parameters, relied=None))
+    assert {act.fluent for act in unplanned if isinstance(act, EnvPredYnq)} >= both
     assert not any(isinstance(act, EnvPredYnq) for act in acts(command()))
 
 

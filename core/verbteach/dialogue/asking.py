@@ -35,6 +35,7 @@ from verbteach.verbs.resemblance import Said
 from verbteach.verbs.seen_change import SeenChange, seen_change
 from verbteach.verbs.space import HypothesisSpace
 from verbteach.world.fluents import Literal
+from verbteach.world.reliance import foresight
 
 _MOVED, _HANDLED = 10.0, 3.0
 """How much likelier a thing is meant that a demonstration changed, or only handled."""
@@ -51,7 +52,12 @@ def execution_inquiry(draft: Draft) -> ExecutionInquiry:
     analogies = Analogies(said, joint, draft.mind.setting.surroundings)
     source = PoolSource(analogies, confirmed_memory(draft.state.knowledge), parameters.pool)
     inquiry = ExecutionInquiry.begin(
-        source, task.static, _changing(draft), grounding, parameters.inquiry
+        source,
+        task.static,
+        _changing(draft),
+        grounding,
+        parameters.inquiry,
+        foresight(task, draft.mind.setting.planner),
     )
     for exchange in episode.asked:
         inquiry = _told(inquiry, exchange)

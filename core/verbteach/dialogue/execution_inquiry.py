@@ -38,6 +38,7 @@ from verbteach.dialogue.inquiry import (
 from verbteach.perception.belief import Belief
 from verbteach.verbs.pool import GoalPool, PoolSource
 from verbteach.world.fluents import Fluent, Goal, Literal, State
+from verbteach.world.reliance import Foresight, nothing_foreseen
 
 
 @dataclass(frozen=True)
@@ -45,7 +46,8 @@ class ExecutionInquiry:
     """One command between its request and the choice of a goal.
 
     ``prior`` is the grounding as answered so far; ``grounding`` adds what the
-    goal belief makes of it. ``static`` are the facts that are not perceived.
+    goal belief makes of it. ``static`` are the facts that are not perceived;
+    ``foresight`` says what pursuing a goal takes for granted.
     """
 
     source: PoolSource
@@ -54,6 +56,7 @@ class ExecutionInquiry:
     prior: GroundingBelief
     pool: GoalPool
     parameters: InquiryParameters = field(default_factory=InquiryParameters)
+    foresight: Foresight = nothing_foreseen
     asked: tuple[RobotAct, ...] = ()
 
     @classmethod
@@ -64,11 +67,13 @@ class ExecutionInquiry:
         belief: Belief,
         grounding: GroundingBelief,
         parameters: InquiryParameters | None = None,
+        foresight: Foresight = nothing_foreseen,
     ) -> ExecutionInquiry:
         """Take a command in."""
         chances = joint_chances(grounding, source.analogies.groundings)
         pool = source.pool(static | belief.believed(), chances)
-        return cls(source, static, belief, grounding, pool, parameters or InquiryParameters())
+        chosen = parameters or InquiryParameters()
+        return cls(source, static, belief, grounding, pool, chosen, foresight)
 
     @property
     def believed(self) -> State:
@@ -159,14 +164,20 @@ class ExecutionInquiry:
         return 0.0
 
     def _environment_questions(self) -> Iterator[tuple[RobotAct, dict[str, float]]]:
-        """Doubtful fluents about the things that what is meant probably speaks of."""
+        """Doubtful fluents that the plan to the best goal takes for granted.
+
+        Without a plan, which doubt may be the reason of: those about the
+        things that what is meant probably speaks of.
+        """
         floor = self.parameters.environment_doubt
         unsure = [(f, c) for f, c in self.belief.items() if floor < c < 1.0 - floor]
-        wanted = self._relevance() if unsure else {}
+        hinges = self.foresight(self.believed, self.best) if unsure else frozenset()
+        wanted = self._relevance() if hinges or hinges is None else {}
         found = []
         for fluent, confidence in unsure:
             relevance = max((wanted.get(word, 0.0) for word in fluent.args), default=0.0)
-            if relevance > 0.0 and EnvPredYnq(fluent) not in self.asked:
+            matters = relevance > 0.0 if hinges is None else fluent in hinges
+            if matters and EnvPredYnq(fluent) not in self.asked:
                 found.append((-doubt(confidence) * relevance, fluent, confidence, relevance))
         for _, fluent, confidence, relevance in sorted(found)[
             : self.parameters.environment_questions

@@ -88,6 +88,7 @@ class Bench:
             _changing(sight.met(instance, room), room),
             grounding,
             self.parameters.inquiry,
+            foresight(room.task, room.planner),
         )
 
     def _grounded(self, instance: Instance, memory: Memory) -> tuple[Joint, GroundingBelief]:

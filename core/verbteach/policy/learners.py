@@ -176,14 +176,16 @@ def lspi(
     log: Sequence[Step],
     size: int,
     gamma: float = GAMMA,
-    ridge: float = 0.1,
+    ridge: float = 0.0035,
     rounds: int = 20,
     situations: int = 0,
 ) -> Floats:
     """Refit weights from a log of steps, whoever acted: least-squares policy iteration.
 
     Each round evaluates the policy that is greedy for the last round's weights;
-    it ends early when the weights stand still. With ``situations`` each of them
+    it ends early when the weights stand still. ``ridge`` counts for each step of
+    the log: a few hundred commands say little about two dozen weights, and
+    hold more for new commands when they are held back. With ``situations`` each of them
     has a level of its own, that is fitted and then forgotten: how hard a
     command is says nothing about what to do, and is most of the variance.
     """
@@ -191,10 +193,11 @@ def lspi(
     taken = np.array([_levelled(step.taken, step, situations) for step in log])
     taken = taken.reshape(-1, size + situations)
     rewards = np.array([step.reward for step in log])
+    held_back = ridge * len(log) * np.eye(len(weights))
     for _ in range(rounds):
         greedy = np.array([_greedy(step, weights[:size], situations) for step in log])
         matrix = taken.T @ (taken - gamma * greedy.reshape(taken.shape))
-        new = np.linalg.solve(matrix + ridge * np.eye(len(weights)), taken.T @ rewards)
+        new = np.linalg.solve(matrix + held_back, taken.T @ rewards)
         if np.abs(new - weights).max() < 1e-6:
             return np.asarray(new[:size])
         weights = new
