@@ -162,16 +162,20 @@ def _posterior(
 ) -> Posterior:
     rows = trained.covariances.get(phase)
     named = weights.to_json()
-    for unmet, kin in _KIN.items():
-        if named.get(unmet) == 0.0 and kin in named:
-            named[unmet] = named[kin]
+    unmet = {one: kin for one, kin in _KIN.items() if named.get(one) == 0.0 and kin in named}
+    begun = {name: named[unmet.get(name, name)] for name in named}
     if rows is None:
-        return Posterior.of(named, PRIOR)
-    return Posterior(tuple(named), tuple(named.values()), rows).spread(how.forget)
+        return Posterior.of(begun, PRIOR)
+    place = {name: index for index, name in enumerate(named)}
+    spread = [list(row) for row in rows]
+    for one, kin in unmet.items():
+        spread[place[one]][place[one]] = rows[place[kin]][place[kin]]
+    wide = tuple(tuple(row) for row in spread)
+    return Posterior(tuple(begun), tuple(begun.values()), wide).spread(how.forget)
 
 
 _KIN = {"goal_relevant_ynq": "pred_change_ynq", "bulk_np_grd_ynq": "np_grd_ynq"}
-"""An act that was never met in training is taken to be worth what its nearest kin is."""
+"""An act that training never met is taken to be worth what its kin is, and as surely."""
 
 
 _REASONS = {
