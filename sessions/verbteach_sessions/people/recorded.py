@@ -70,8 +70,10 @@ class Recorded:
             yield tuple(under_way)
 
 
-def read_recorded(path: Path, settings: Settings) -> Recorded:
+def read_recorded(path: Path, settings: Settings | None = None) -> Recorded:
     """Read a session; nothing is planned or recomputed.
+
+    Without ``settings`` the worlds are not followed, which is quicker.
 
     Raises the errors of reading a log, and ``UnknownSceneError``.
     """
@@ -100,7 +102,7 @@ UnknownEventError = (EventError, ActFormatError, ValueError)
 
 
 class _Following:
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: Settings | None) -> None:
         self._settings = settings
         self._history = History()
         self._content = ContentHash()

@@ -25,6 +25,9 @@ from verbteach_sessions.people.observations import observe
 from verbteach_sessions.people.recorded import Recorded
 from verbteach_sessions.people.recorded_lessons import Taught, taught
 
+FEWEST = 4
+"""People in all: half are fitted, half are compared, and one alone is no comparison."""
+
 Records = Sequence[Mapping[str, Any]]
 
 
@@ -90,8 +93,8 @@ def _halves(
     records: Sequence[Recorded], rng: np.random.Generator
 ) -> tuple[list[Recorded], list[Recorded]]:
     people = sorted({one.person for one in records})
-    if len(people) < 4:
-        raise ValueError("comparing people with their simulator needs four people at least")
+    if len(people) < FEWEST:
+        raise ValueError(f"comparing needs {FEWEST} people at least")
     order = rng.permutation(len(people)).tolist()
     known = {people[i] for i in order[: len(people) // 2]}
     return (

@@ -67,14 +67,14 @@ class Standing:
         return next(closed, None)
 
 
-def opened(data: Mapping[str, Any], scene: str, settings: Settings) -> Standing:
-    """After a ``robot`` event that begins in a scene."""
-    world = settings(scene).scene.initial
+def opened(data: Mapping[str, Any], scene: str, settings: Settings | None) -> Standing:
+    """After a ``robot`` event that begins in a scene; without ``settings`` no world is known."""
+    world = None if settings is None else settings(scene).scene.initial
     return _checked(Standing(_acts(data), data["reading"], scene, world, world), data)
 
 
 def stepped(
-    before: Standing, said: TeacherAct, data: Mapping[str, Any], settings: Settings
+    before: Standing, said: TeacherAct, data: Mapping[str, Any], settings: Settings | None
 ) -> Standing:
     """After the ``robot`` event that replies to ``said``."""
     if isinstance(said, acts.GoToScene):
@@ -99,7 +99,7 @@ def _fresh(now: Standing) -> Standing:
 
 
 def _moved(
-    before: Standing, now: Standing, data: Mapping[str, Any], settings: Settings
+    before: Standing, now: Standing, data: Mapping[str, Any], settings: Settings | None
 ) -> Standing:
     """The world after what was judged, undone, shown and carried out in this turn."""
     judged = isinstance(before.waiting, acts.SelectHypo) and not now.again
@@ -121,11 +121,13 @@ def _moved(
 _GOING_ON = (acts.DemonstrationReason.NO_STEP, acts.DemonstrationReason.NOTHING_CHANGED)
 
 
-def _run(now: Standing, actions: Sequence[Action], settings: Settings) -> State | None:
+def _run(now: Standing, actions: Sequence[Action], settings: Settings | None) -> State | None:
     world = now.world
     try:
-        for action in actions if world is not None else ():
-            world = None if world is None else apply(settings(now.scene).task, world, action)
+        for action in actions:
+            if world is None or settings is None:
+                return None
+            world = apply(settings(now.scene).task, world, action)
     except (InapplicableError, ValueError):
         return None
     return world

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from verbteach.dialogue.setting import Settings
     from verbteach_sessions.people.fitting import Material
     from verbteach_sessions.people.golds import LessonBook
+    from verbteach_sessions.people.recorded import Recorded
 
 Paths = Annotated[
     list[Path], typer.Argument(metavar="PATH...", help="Sessions, or folders of them.")
@@ -53,10 +54,13 @@ def fit(
     from verbteach_sessions.people.agreement import agreement
     from verbteach_sessions.people.fitted_user import FittedUserError
     from verbteach_sessions.people.fitting import save_user
+    from verbteach_sessions.people.rehearsal import FEWEST
 
     book, settings = _book(lessons), _settings(scenes)
     material = _gathered(found_at(paths), book, settings)
     user = material.user()
+    if check and len(user.counts) < FEWEST:
+        raise WrongUseError(f"--check: {FEWEST} people at least, here are {len(user.counts)}")
     save_user(out, user)
     rng = np.random.default_rng(seed or 0)
     document: dict[str, Any] = {
@@ -107,16 +111,13 @@ def _met(material: Material, book: LessonBook, settings: Settings, seed: int) ->
     from verbteach_sessions.people.rehearsal import meet
 
     with progress() as show:
-        try:
-            return meet(
-                material.records,
-                book,
-                settings,
-                np.random.default_rng([seed, 1]),
-                lambda done, of: show("held again", done, of),
-            ).to_json()
-        except ValueError as error:
-            raise WrongUseError(f"--check: {error}") from error
+        return meet(
+            material.records,
+            book,
+            settings,
+            np.random.default_rng([seed, 1]),
+            lambda done, of: show("held again", done, of),
+        ).to_json()
 
 
 def _print_fit(document: Mapping[str, Any]) -> None:
@@ -174,7 +175,6 @@ def evaluate_policy(
         float | None,
         typer.Option(min=1.0, metavar="N", help="The least effective sample size (30)."),
     ] = None,
-    scenes: ScenesFolder = None,
     seed: SeedOption = None,
     as_json: JsonFlag = False,
 ) -> None:
@@ -187,13 +187,12 @@ def evaluate_policy(
     from verbteach.experiments.off_policy.evaluation import MINIMUM
     from verbteach_scenarios.weights import load_weights, starting_weights
     from verbteach_sessions.people.evaluating import evaluate_policy as evaluate
-    from verbteach_sessions.people.golds import LessonBook
     from verbteach_sessions.people.targets import target
 
     chances = target(policy, load_weights(weights) if weights else starting_weights(), explore)
-    material = _gathered(found_at(paths), LessonBook(), _settings(scenes))
+    records = _records(found_at(paths))
     reports = evaluate(
-        material.records,
+        records,
         chances,
         np.random.default_rng(seed or 0),
         minimum=MINIMUM if minimum is None else minimum,
@@ -201,12 +200,23 @@ def evaluate_policy(
     document: dict[str, Any] = {
         "policy": policy,
         "explore": explore,
-        "sessions": len(material.records),
+        "sessions": len(records),
         "phases": {name: report.to_json() for name, report in reports.items()},
     }
     emit(document) if as_json else _print_evaluation(document)
     if not any(report.tells for report in reports.values()):
         raise typer.Exit(CHECK_FAILED)
+
+
+def _records(paths: Sequence[Path]) -> list[Recorded]:
+    from verbteach_sessions.people.recorded import read_recorded
+
+    found = []
+    with progress() as show:
+        for done, path in enumerate(paths, start=1):
+            found.append(read_recorded(path))
+            show("sessions", done, len(paths))
+    return found
 
 
 def _print_evaluation(document: Mapping[str, Any]) -> None:
