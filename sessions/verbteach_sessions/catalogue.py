@@ -66,12 +66,19 @@ def default_folder() -> Path:
 
 def list_sessions(folder: Path) -> tuple[Entry, ...]:
     """The sessions in ``folder``, the newest first; none where there is no such folder."""
+    entries = [entry(path) for path in session_folders(folder)]
+    return tuple(sorted(entries, key=lambda one: (one.created, one.id), reverse=True))
+
+
+def session_folders(folder: Path) -> tuple[Path, ...]:
+    """The sessions' folders in ``folder``, and in those of a study's participants, sorted."""
     try:
-        paths = [path for path in folder.iterdir() if (path / LOG_NAME).exists()]
+        inner = [path for path in folder.iterdir() if path.is_dir()]
+        homes = [path for path in inner if not path.is_symlink() and not (path / LOG_NAME).exists()]
+        inner += [path for home in homes for path in home.iterdir()]
     except OSError:
         return ()
-    entries = [entry(path) for path in paths]
-    return tuple(sorted(entries, key=lambda one: (one.created, one.id), reverse=True))
+    return tuple(sorted(path for path in inner if (path / LOG_NAME).exists()))
 
 
 def entry(path: Path) -> Entry:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from verbteach_tui.beginning import Beginning
 from verbteach_tui.options import AppOptions, OpenHome, Opening
+from verbteach_tui.terminal import in_browser
 
 
 def full_screen(
@@ -18,11 +19,13 @@ def full_screen(
 
     keymap = read_keymap(keys_file())
     options = app_options(beginning, opening or OpenHome(), theme)
-    return run_app(replace(options, keymap=keymap, toured=_toured()))
+    return run_app(replace(options, keymap=keymap, toured=_toured(beginning)))
 
 
-def _toured() -> Path:
-    """The file that says that the tour was offered once."""
+def _toured(beginning: Beginning) -> Path:
+    """The file that says that the tour was offered once; each visitor has one of their own."""
+    if in_browser():
+        return beginning.folder / "toured"
     from platformdirs import user_state_path
 
     return user_state_path("verbteach") / "toured"

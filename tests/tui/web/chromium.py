@@ -16,7 +16,7 @@ from typing import Any
 import aiohttp
 
 PROGRAM = shutil.which("chromium") or shutil.which("chromium-browser")
-LONGEST = 90.0  # seconds for anything to happen on a busy machine
+LONGEST = 120.0  # seconds for anything to happen on a busy machine
 
 _ANSI = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]")
 _NAMED = {
@@ -50,6 +50,7 @@ class Browser:
         joined = await self.ask("Target.attachToTarget", targetId=target_id, flatten=True)
         page = self._pages[joined["sessionId"]] = Page(self, joined["sessionId"], context)
         await page.ask("Network.enable")
+        await page.ask("Emulation.setFocusEmulationEnabled", enabled=True)
         await page.ask("Page.enable")
         await page.ask("Page.navigate", url=url)
         return page
@@ -130,8 +131,10 @@ class Page:
     async def ready(self) -> None:
         """Wait until the app has painted."""
         await self.until("document.body && document.body.classList.contains('-first-byte')")
-        await asyncio.sleep(0.5)
-        await self.value("document.querySelector('.xterm-helper-textarea').focus()")
+        await self.until(
+            "(() => { const area = document.querySelector('.xterm-helper-textarea');"
+            " if (area) area.focus(); return area && document.activeElement === area; })()"
+        )
 
     async def press(self, *keys: str) -> None:
         """Press keys, by name or by the character they type."""

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import asyncio
-import io
 from pathlib import Path
 
 import pytest
 
 from tests.study.files import SMALL
+from tests.tui.commandline import here
 from tests.tui.room import SETTINGS
 from tests.tui.study.led import SHOW, study_file
 from tests.tui.web.chromium import PROGRAM, Browser, Page, chromium, happens
@@ -16,8 +16,6 @@ from tests.tui.web.served import served
 from verbteach_sessions.eventlog import LogReader
 from verbteach_sessions.session import Session
 from verbteach_sessions.validate import validate
-from verbteach_tui.beginning import Beginning
-from verbteach_tui.plain import run_plain
 
 pytestmark = [
     pytest.mark.slow,
@@ -65,20 +63,23 @@ async def teach_to_open(page: Page, log: Path) -> None:
     await answered(log, before + 5)
 
 
-async def started(page: Page, records: Path, sessions: int = 1) -> Path:
+async def started(page: Page, records: Path, sessions: int = 1, *, tour: bool = True) -> Path:
     """The newest log, once there are so many."""
     await happens(lambda: len(logs(records)) >= sessions)
     newest = max(logs(records), key=lambda log: log.stat().st_mtime)
     await answered(newest, 1)
+    if tour:
+        await page.shows("skip the tour")
+        await page.press("escape")
     await page.shows("type and press Enter")
     return newest
 
 
 def plain_hash(folder: Path) -> str:
     """The content of the same lesson in plain lines."""
-    with Beginning(folder, "plain").create(ROOM) as session:
-        run_plain(session, io.StringIO("\n".join([*SHOW, "quit"])), io.StringIO())
-        return session.content_hash
+    words = ("teach", "--plain", "--scene", ROOM, "--sessions", folder, "--json")
+    document = here(*words, typed="\n".join([*SHOW, "quit"])).document
+    return str(document["content_hash"])
 
 
 async def test_a_key_script_leaves_the_same_content_as_in_plain_lines(tmp_path: Path) -> None:
@@ -137,7 +138,7 @@ async def test_visitors_are_kept_apart_and_tokens_let_one_browser_in(tmp_path: P
     for log in (first, second):
         assert validate(log.parent, SETTINGS).valid
         kept = {path.name for path in log.parent.parent.iterdir()}
-        assert kept == {"ticket.json", log.parent.name}
+        assert kept == {"ticket.json", "toured", log.parent.name}
         assert "token" not in (log.parent.parent / "ticket.json").read_text().replace('"token"', "")
 
 
@@ -165,7 +166,7 @@ async def test_a_study_in_a_browser_keeps_nothing_before_consent_and_comes_back(
             await page.press("enter")
             await page.shows("Practice")
             await page.press("enter")
-            log = await started(page, records)
+            log = await started(page, records, tour=False)
             await page.type("open the fridge")
             await answered(log, 2)
             await page.reload()

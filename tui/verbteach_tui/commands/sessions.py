@@ -99,13 +99,14 @@ def validate(
 
 def _records(path: Path) -> Sequence[Path]:
     """The session at ``path``, or those in the folder ``path``, sorted by name."""
+    from verbteach_sessions.catalogue import session_folders
     from verbteach_sessions.eventlog import LOG_NAME
 
     if not path.exists():
         raise WrongUseError(f"{path}: there is no such session or folder")
     if path.is_file() or (path / LOG_NAME).exists():
         return (path,)
-    found = sorted(one for one in path.iterdir() if (one / LOG_NAME).exists())
+    found = session_folders(path)
     if not found:
         raise WrongUseError(f"{path}: holds no session")
     return found

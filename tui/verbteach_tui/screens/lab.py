@@ -56,7 +56,7 @@ class LabScreen(Screen[None]):
     LabScreen.-narrow #lab { layout: vertical; }
     LabScreen.-narrow #settings { width: 100%; height: 8; }
     LabScreen.-narrow #course { width: 100%; height: 1fr; }
-    LabScreen.-narrow #earlier { display: none; }
+    LabScreen.-narrow #earlier, LabScreen.-narrow.-running #settings { display: none; }
     """
 
     def __init__(self, lab: Lab) -> None:
@@ -105,12 +105,24 @@ class LabScreen(Screen[None]):
         if state is self._seen:
             return
         before, self._seen = self._seen, state
+        self._make_room(state.running)
         self.query_one("#progress", RowsView).show(lambda width: progress_rows(state, width))
         outcome = self.query_one("#outcome", RowsView)
         outcome.border_title = "Policies" if _compares(state) else "Learning curve"
         outcome.show(lambda width: self._outcome(state, width))
         if before is not None and before.running and not state.running:
             self._list_earlier()
+
+    def _make_room(self, running: bool) -> None:
+        """Where there is little room, the settings leave it to the work while that goes on."""
+        if self.has_class("-running") == running:
+            return
+        self.set_class(running, "-running")
+        narrow = self.has_class("-narrow")
+        if running and narrow:
+            self.query_one("#outcome").focus()
+        elif narrow:
+            self.query_one(LabSettings).focus()
 
     def _outcome(self, state: LabState, width: int) -> Sequence[Row]:
         height = self.query_one("#outcome").scrollable_content_region.height
@@ -129,8 +141,7 @@ class LabScreen(Screen[None]):
         if state.phase == DONE and state.folder is not None:
             use = f"Teach with it: verbteach teach --weights {state.folder / 'weights.json'}"
             rows.append(clipped([Span(use, "good")], width))
-        about = "The mean return of dialogues appears here while the robot learns what to ask."
-        return rows or wrapped([Span(about, "muted")], width)
+        return rows or wrapped([Span(_ABOUT, "muted")], width)
 
     def _list_earlier(self) -> None:
         self.run_worker(self._read_earlier, thread=True, exit_on_error=False, group="lab")
@@ -144,6 +155,12 @@ class LabScreen(Screen[None]):
         view.show(lambda width: [clipped([Span(_told(run))], width) for run in runs] or _NONE)
 
 
+_ABOUT = (
+    "Train: the robot holds dialogues with simulated people about the bundled lessons and learns "
+    "which question is worth its price; the mean return of its dialogues is drawn here as it "
+    "learns, and its weights are saved for teaching. Compare: policies are taught the same verbs, "
+    "each asking in its own way, and are then tested in rooms that they have not seen."
+)
 _NONE: list[Row] = [(Span("None yet: results are kept in the folder lab.", "muted"),)]
 
 

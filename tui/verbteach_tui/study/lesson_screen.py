@@ -24,6 +24,14 @@ from verbteach_tui.widgets.rows_view import RowsView
 from verbteach_tui.widgets.scene_chooser import LoadScene
 from verbteach_tui.widgets.tab_strip import TabStrip
 
+_TITLES = {
+    "tour": "Tour",
+    "belief": "Robot's view",
+    "verbs": "Verbs",
+    "scenes": "Other scene",
+}
+"""How the palette calls the actions that a study may close."""
+
 
 class TaskBar(RowsView, can_focus=False):
     """What the participant is asked to do, in a row or two."""
@@ -48,7 +56,7 @@ class TaskBar(RowsView, can_focus=False):
 class LessonScreen(TeachScreen):
     """One stretch of teaching; ``why`` says what ended it, ``PAUSE`` and ``STOP`` included."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [Binding("f10", "leave", "Pause or stop")]
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("f10", "leave", "Pause", id="leave")]
 
     def __init__(
         self, run: StudyRun, teaching: Teaching, speed: float, load: LoadScene, practice: bool
@@ -104,6 +112,7 @@ class LessonScreen(TeachScreen):
     # ---- what is shown
 
     def choose_tab(self, name: str, on_stage: bool | None = None) -> None:
+        """Bring a panel into view, if the condition shows it."""
         """As ever, but for the panels that the condition hides."""
         shown = tuple(tab for tab in TABS if tab[0] not in self._hidden)
         name = "dialogue" if name in self._hidden else name
@@ -112,35 +121,41 @@ class LessonScreen(TeachScreen):
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
         """What the condition hides cannot be called up either."""
-        if action == "tab" and parameters and parameters[0] in self._hidden:
-            return False
-        if action == "verbs" and "verbs" not in self._panels:
-            return False
-        if action == "belief" and "mind" in self._hidden:
-            return False
-        if action == "scenes" and self._given:
+        if action in self._barred or (action == "tab" and parameters[0] in self._hidden):
             return False
         return super().check_action(action, parameters)
 
+    @property
+    def _barred(self) -> set[str]:
+        """The actions that there are not: the tour, too, speaks of panels that may be hidden."""
+        barred = {"tour"}
+        if not {"scene", "mind"} <= self._panels:
+            barred.add("belief")
+        if "verbs" not in self._panels:
+            barred.add("verbs")
+        if self._given:
+            barred.add("scenes")
+        return barred
+
     def action_verbs(self, frame: str = "") -> None:
         """The verbs, where they are shown."""
-        if "verbs" in self._panels:
+        if "verbs" not in self._barred:
             super().action_verbs(frame)
+
+    def action_belief(self) -> None:
+        """The robot's view, where it is shown."""
+        if "belief" not in self._barred:
+            super().action_belief()
 
     def action_scenes(self) -> None:
         """Another scene, where the participant may choose."""
-        if not self._given:
+        if "scenes" not in self._barred:
             super().action_scenes()
 
     def palette(self) -> Iterable[tuple[str, str, Callable[[], object]]]:
         """Every action that there is here."""
         hidden = {title for word, _, title in TABS if word in self._hidden}
-        if "mind" in self._hidden:
-            hidden.add("Robot's view")
-        if "verbs" not in self._panels:
-            hidden.add("Verbs")
-        if self._given:
-            hidden.add("Other scene")
+        hidden |= {_TITLES[action] for action in self._barred}
         return (entry for entry in super().palette() if entry[0] not in hidden)
 
     # ---- leaving

@@ -18,6 +18,9 @@ from verbteach_tui.widgets.foot import Foot
 from verbteach_tui.widgets.rows_view import RowsView
 from verbteach_tui.widgets.title_bar import TitleBar
 
+_BESIDE = 5
+"""Rows of the screen that are not for the text."""
+
 
 class Choice(NamedTuple):
     """A button: the word it stands for, its key, what it says."""
@@ -28,6 +31,14 @@ class Choice(NamedTuple):
 
 
 GO_ON = Choice("next", "enter", "Go on")
+
+
+class Page(RowsView):
+    """Text that takes as many rows as it needs, as far as there are so many."""
+
+    def redrawn(self) -> None:
+        """Two more for the frame, and below it the buttons."""
+        self.styles.height = min(len(self.rows) + 2, max(self.app.size.height - _BESIDE, 4))
 
 
 class ReadingScreen(Screen[None]):
@@ -58,7 +69,7 @@ class ReadingScreen(Screen[None]):
         """The text and the buttons."""
         yield TitleBar()
         with Center(id="page"), Vertical(id="sheet"):
-            yield RowsView(id="text")
+            yield Page(id="text")
             with Horizontal(id="choices"):
                 for choice in self._choices:
                     yield Button(choice.label, id=choice.word, compact=True)
@@ -67,7 +78,7 @@ class ReadingScreen(Screen[None]):
     def on_mount(self) -> None:
         """Show the text; it has the keys, so that it can be scrolled."""
         self.query_one(TitleBar).show_title(visible(self._title))
-        text = self.query_one("#text", RowsView)
+        text = self.query_one("#text", Page)
         text.border_title = visible(self._heading)
         text.show(self._drawn)
         text.focus()
