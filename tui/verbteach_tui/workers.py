@@ -45,7 +45,7 @@ class Workers:
 
         with self._backend() as jobs:
             parallel = Parallel(n_jobs=jobs, return_as="generator_unordered", batch_size=1)
-            yield from parallel(delayed(function)(task) for task in tasks)
+            yield from parallel(delayed(_kept)(function, task) for task in tasks)
 
     @contextmanager
     def _backend(self) -> Iterator[int]:
@@ -57,6 +57,18 @@ class Workers:
             return
         with _client(self.cluster) as client, parallel_config(backend="dask", client=client):
             yield -1
+
+
+def _kept(function: Callable[[Task], Row], task: Task) -> Row:
+    """Do a task in a process that is kept for the next.
+
+    Where psutil is installed, loky takes a process that remembers what it has
+    read and planned for one that leaks, and begins it anew.
+    """
+    from joblib.externals.loky import process_executor
+
+    process_executor._USE_PSUTIL = False
+    return function(task)
 
 
 @contextmanager

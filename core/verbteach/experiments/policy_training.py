@@ -48,6 +48,13 @@ class Schooling:
         return [replace(base, noise=noise) for noise in self.noises]
 
 
+def with_dialogues(training: TrainingParameters, count: int) -> TrainingParameters:
+    """The same training with so many dialogues, as large a share of them warm."""
+    return replace(
+        training, dialogues=count, warm=round(training.warm * count / training.dialogues)
+    )
+
+
 def train_policies(
     bench: Bench, schooling: Schooling, source: str, heard: Heard = unheard
 ) -> PolicyWeights:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import time
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
@@ -16,6 +17,7 @@ from verbteach_tui.conclusion import WrongUseError
 from verbteach_tui.workers import Workers, one_thread
 
 if TYPE_CHECKING:
+    from verbteach.experiments.interactive_protocol import Config
     from verbteach.experiments.reproduction.design import Design
     from verbteach.experiments.reproduction.report import Report
     from verbteach.experiments.reproduction.rows import Row
@@ -56,9 +58,14 @@ def reproduce(
         list[str] | None,
         typer.Option(
             "--with",
-            metavar="phantom|harder-teacher",
-            help="Report beside: the harder reading of the noise, a teacher who errs.",
+            metavar="phantom|harder-teacher|paper-prices",
+            help="Report beside: the harder reading of the noise; a teacher who errs; the"
+            " learned policy at the paper's prices.",
         ),
+    ] = None,
+    episodes: Annotated[
+        int | None,
+        typer.Option(min=1, metavar="N", help="Dialogues to practise in, in each phase."),
     ] = None,
     jobs: Annotated[int, typer.Option(min=1, metavar="N", help="Processes.")] = os.cpu_count() or 1,
     cluster: Annotated[
@@ -85,7 +92,8 @@ def reproduce(
     rows_file = _rows_file(out, resume)
     with progress() as show:
         show("reading", 0, 1)
-        design = _design(target, source, runs, seed or 0, noise_reading, folds, beside or [])
+        wanted = _Wanted(target, runs, seed or 0, noise_reading, folds, beside or [], episodes)
+        design = wanted.design(source)
         show("reading", 1, 1)
         report = _swept(design, source, rows_file, Workers(jobs, cluster), show)
         document = {**report.to_json(), "seconds": time.monotonic() - began}
@@ -113,34 +121,51 @@ def _rows_file(out: Path, resume: bool) -> RowsFile:
     return rows
 
 
-def _design(
-    target: str,
-    source: LaboratorySource,
-    runs: int,
-    seed: int,
-    reading: str | None,
-    folds: str,
-    extras: list[str],
-) -> Design:
-    from verbteach.experiments.reproduction.design import EXTRAS, TARGETS, Design
-    from verbteach_scenarios.laboratories import laboratory
+@dataclass(frozen=True)
+class _Wanted:
+    """What the command line asks for."""
 
-    chosen(extras, EXTRAS, "--with")
-    where = laboratory(source)
-    try:
-        return Design(
-            where.environments,
-            targets=TARGETS if target == "all" else (target,),
-            runs=runs,
-            seed=seed,
-            reading=reading or "literal",
-            folds=folds,
-            apart=where.apart,
-            extras=tuple(dict.fromkeys(extras)),
-            about=source.about(),
-        )
-    except ValueError as error:
-        raise WrongUseError(str(error)) from error
+    target: str
+    runs: int
+    seed: int
+    reading: str | None
+    folds: str
+    extras: list[str]
+    episodes: int | None
+
+    def design(self, source: LaboratorySource) -> Design:
+        """The design, checked against the data. Raises :class:`WrongUseError`."""
+        from verbteach.experiments.reproduction.design import EXTRAS, TARGETS, Design
+        from verbteach_scenarios.laboratories import laboratory
+
+        chosen(self.extras, EXTRAS, "--with")
+        where = laboratory(source)
+        try:
+            design = Design(
+                where.environments,
+                targets=TARGETS if self.target == "all" else (self.target,),
+                runs=self.runs,
+                seed=self.seed,
+                reading=self.reading or "literal",
+                folds=self.folds,
+                apart=where.apart,
+                extras=tuple(dict.fromkeys(self.extras)),
+                about=source.about(),
+                base=self._base(),
+            )
+            where.check(design)
+        except ValueError as error:
+            raise WrongUseError(str(error)) from error
+        return design
+
+    def _base(self) -> Config:
+        from verbteach.experiments.interactive_protocol import Config
+        from verbteach.experiments.policy_training import with_dialogues
+
+        plain = Config()
+        if self.episodes is None:
+            return plain
+        return replace(plain, training=with_dialogues(plain.training, self.episodes))
 
 
 def _swept(

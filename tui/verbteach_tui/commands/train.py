@@ -90,7 +90,7 @@ def _schooling(
     episodes: int | None,
     seed: int,
 ) -> Schooling:
-    from verbteach.experiments.policy_training import Schooling
+    from verbteach.experiments.policy_training import Schooling, with_dialogues
 
     chosen(noise or [], NOISES, "--noise")
     plain = Schooling(reading=reading or "literal", seed=seed)
@@ -98,8 +98,7 @@ def _schooling(
     if learner is not None:
         training = replace(training, learner=learner)
     if episodes is not None:
-        warm = round(training.warm * episodes / training.dialogues)
-        training = replace(training, dialogues=episodes, warm=warm)
+        training = with_dialogues(training, episodes)
     noises = tuple(dict.fromkeys(noise)) if noise else plain.noises
     return replace(plain, noises=noises, training=training)
 
@@ -182,9 +181,8 @@ def _document(weights: PolicyWeights, out: Path) -> dict[str, Any]:
 
 
 def _print(document: dict[str, Any], weights: PolicyWeights) -> None:
-    rows: list[tuple[object, ...]] = [
-        ("phase", "episodes", "mean return", "questions", "at the end")
-    ]
+    heads = ("phase", "episodes", "mean return", "questions", "return at the end", "questions")
+    rows: list[tuple[object, ...]] = [heads]
     for name, phase in weights.training["phases"].items():
         means = [
             figure

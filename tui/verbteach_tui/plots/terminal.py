@@ -44,13 +44,13 @@ def draw(chart: Chart, width: int = 80, height: int = 20) -> Text:
     for line in chart.lines:
         _draw(line, frame, canvas)
     names = _names(chart, frame)
+    marks = _marks(chart, frame)
     text = Text(f"{chart.title}\n", no_wrap=True)
     for row in range(frame.height):
-        text.append(_number(row, frame).rjust(_LEFT - 1) + "┤" if _number(row, frame) else "")
-        if not _number(row, frame):
-            text.append(" " * (_LEFT - 1) + "│")
+        number = _number(row, frame)
+        text.append(number.rjust(_LEFT - 1) + ("┤" if number else "│"))
         for column in range(frame.width):
-            text.append(*canvas.cell(column, row))
+            text.append(*marks.get((column, row), canvas.cell(column, row)))
         for label, style in names.get(row, []):
             text.append(f" {label}", style)
         text.append("\n")
@@ -68,6 +68,15 @@ def _draw(line: Line, frame: _Frame, canvas: BrailleCanvas) -> None:
     places = [frame.at(point) for point in line.points]
     for start, end in zip(places, places[1:] or places, strict=False):
         canvas.line(start, end, _colour(line.policy))
+
+
+def _marks(chart: Chart, frame: _Frame) -> dict[tuple[int, int], tuple[str, str]]:
+    """A star, with its style, in the cell of each single point."""
+    found = {}
+    for policy, mark in chart.marks.items():
+        across, down = frame.at(mark)
+        found[int(across), int(down)] = ("★", _colour(policy))
+    return found
 
 
 def _names(chart: Chart, frame: _Frame) -> dict[int, list[tuple[str, str]]]:
@@ -94,7 +103,7 @@ def _number(row: int, frame: _Frame) -> str:
 
 
 def _bottom(chart: Chart, frame: _Frame) -> str:
-    left, right = f"{frame.left:g}", f"{frame.right:g}"
+    left, right = (f"{round(value, 1):g}" for value in (frame.left, frame.right))
     gap = max(1, frame.width - len(left) - len(right))
     axis = " " * (_LEFT - 1) + "└" + "─" * frame.width
     numbers = " " * _LEFT + left + chart.across.center(gap) + right

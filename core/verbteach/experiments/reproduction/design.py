@@ -15,7 +15,6 @@ import numpy as np
 from verbteach.experiments.interactive_protocol import Config
 from verbteach.experiments.reproduction.task import Task
 from verbteach.experiments.sight import stream
-from verbteach.experiments.simulated_human import HumanParameters
 
 POLICIES = ("rl", "manual", "random", "split", "she16", "she16-all")
 DEMONSTRATION_ONLY = ("she16", "she16-all")
@@ -25,7 +24,7 @@ STUDIED = "std3"
 CHECKPOINTS = (0.1, 0.25, 0.5, 0.75)
 """Shares of the lessons at which Figure 5 has a point, beside the whole."""
 TARGETS = ("table4", "table5", "figure5")
-EXTRAS = ("phantom", "harder-teacher")
+EXTRAS = ("phantom", "harder-teacher", "paper-prices")
 
 Sections: TypeAlias = dict[str, list[Task]]
 """Tasks by what their rows are for; a task may serve several purposes."""
@@ -65,16 +64,26 @@ class Design:
         found: Sections = {"main": list(self._main())}
         if "phantom" in self.extras:
             found["phantom"] = [
-                self._task(run, policy, noise, reading="phantom")
+                self._task(run, policy, noise, replace(self.base, reading="phantom"))
                 for run, noise, policy in self._cells(("rl", "manual", "split", "she16"), NOISES)
             ]
         if "harder-teacher" in self.extras:
-            human = replace(self.base.human, error=self.error)
+            erring = replace(self._plain, human=replace(self.base.human, error=self.error))
             found["harder_teacher"] = [
-                self._task(run, policy, noise, human=human)
+                self._task(run, policy, noise, erring)
                 for run, noise, policy in self._cells(("rl", "manual", "split"), (STUDIED,))
             ]
+        if "paper-prices" in self.extras:
+            priced = replace(self._plain, training=replace(self.base.training, price=1.0))
+            found["paper_prices"] = [
+                self._task(run, policy, noise, priced)
+                for run, noise, policy in self._cells(("rl",), NOISES)
+            ]
         return found
+
+    @property
+    def _plain(self) -> Config:
+        return replace(self.base, reading=self.reading)
 
     def _main(self) -> Iterator[Task]:
         noises = NOISES if "table4" in self.targets else (STUDIED,)
@@ -96,23 +105,21 @@ class Design:
         run: int,
         policy: str,
         noise: str,
-        reading: str | None = None,
-        human: HumanParameters | None = None,
+        other: Config | None = None,
     ) -> Task:
-        plain = reading is None and human is None
-        drawn = plain and "figure5" in self.targets and noise == STUDIED
+        """A task, ``other`` than the main ones where that is given."""
+        base = self._plain if other is None else other
+        drawn = other is None and "figure5" in self.targets and noise == STUDIED
         config = replace(
-            self.base,
+            base,
             policy=policy,
             noise=noise,
-            reading=reading or self.reading,
             seed=self.seed,
             run=run,
             held_out=self.held_out(run),
             together=bool(self.apart) or self.folds == "groups",
             checkpoints=CHECKPOINTS if drawn else (),
             trace=policy not in DEMONSTRATION_ONLY,
-            human=human or self.base.human,
         )
         return Task(config, self.about)
 

@@ -8,10 +8,11 @@ from hashlib import sha256
 
 from verbteach.experiments.evaluation import Grounds
 from verbteach.experiments.groundings import Grounder
+from verbteach.experiments.instance_split import InstanceSplit
 from verbteach.experiments.interactive_bench import Bench
 from verbteach.experiments.interactive_protocol import run
 from verbteach.experiments.reproduction.demonstration_only import demonstration_only, setup_of
-from verbteach.experiments.reproduction.design import DEMONSTRATION_ONLY
+from verbteach.experiments.reproduction.design import DEMONSTRATION_ONLY, Design
 from verbteach.experiments.reproduction.rows import Row, row_of
 from verbteach.experiments.reproduction.task import Task
 from verbteach.verbs.instance import Instance
@@ -36,6 +37,15 @@ class Laboratory:
         """The environments that may be held out, sorted."""
         found = {i.environment for i in self.bench.instances}
         return tuple(sorted(found.difference(self.apart)))
+
+    def check(self, design: Design) -> None:
+        """Raise ``ValueError`` unless every run has something to practise, to learn and to test."""
+        for task in design.sections()["main"]:
+            split = InstanceSplit.of(self.bench.instances, task.config)
+            shares = (task.config.verb_share, *task.config.checkpoints)
+            if not split.practice or not all(split.lessons(share) for share in shares):
+                count = len(self.bench.instances)
+                raise ValueError(f"{count} instances are too few to learn from and to test")
 
     def row(self, task: Task) -> Row:
         """Carry a task out; the same task gives the same row."""

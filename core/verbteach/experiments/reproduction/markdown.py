@@ -34,17 +34,19 @@ def markdown(document: Mapping[str, Any]) -> str:
 BESIDE: Mapping[str, str] = {
     "phantom": "The phantom reading of the noise",
     "harder_teacher": "A teacher of whose yes/no answers 20 % are wrong",
+    "paper_prices": "The learned policy at the paper's prices of questions",
 }
 
 
 def _about(document: Mapping[str, Any]) -> str:
     counts = document["instances"]
     return (
-        f"# Reproduction\n\n{document['runs']} runs, seed {document['seed']}; noise reading "
+        f"# Reproduction\n\nRuns: {document['runs']}, seed {document['seed']}; noise reading "
         f"{document['noise_reading']}, grounding {document.get('grounding', 'corpus')}, "
         f"environments held out: {document['folds']}; on average {counts['lessons']:.0f} lessons "
         f"and {counts['tested']:.0f} test commands a run. In square brackets 95 % intervals "
-        "(two-level bootstrap: runs, then documents), in round ones the paper's figures."
+        "(two-level bootstrap: runs, then documents), in round ones the paper's figures. RL was "
+        f"trained with questions {document['price']:g} times as dear as the paper's."
     )
 
 

@@ -50,7 +50,7 @@ class Report:
             found["figure5"] = figure5(main)
             found["figure5_ied"] = figure5(main, "ied")
             found["per_question"] = per_question(main, STUDIED)
-        for name in ("phantom", "harder_teacher"):
+        for name in ("phantom", "harder_teacher", "paper_prices"):
             if name in self.rows:
                 found[name] = table4(self.rows[name])
         return {**found, **self._about()}
@@ -62,6 +62,7 @@ class Report:
             "runs": design.runs,
             "seed": design.seed,
             "noise_reading": design.reading,
+            "price": design.base.training.price,
             "folds": "test data" if design.apart else design.folds,
             "instances": {
                 "lessons": _mean([row.lessons for row in main]),
