@@ -55,6 +55,24 @@ def test_figures_have_their_mean_spread_interval_and_runs(folder: Path) -> None:
     assert document["noise"] == "std3"
 
 
+@pytest.mark.slow  # 27 cells and their tables
+def test_the_grid_is_kept_and_goes_on_where_it_was(folder: Path, tmp_path: Path) -> None:
+    words = ("--data", folder, "--noise", "perfect", "--grid", "--out", tmp_path)
+    first = scored(*words)
+    cells = sorted((tmp_path / "cells").iterdir())
+    assert first["cells"] == len(cells) == 3 * 9
+    tables = {name: Path(first[name]).read_text("utf-8") for name in ("csv", "markdown", "errors")}
+    assert tables["csv"].count("\n") == 1 + 5 * len(cells)
+    cells[0].unlink()
+    written = {cell: cell.stat().st_mtime_ns for cell in cells[1:]}
+    assert scored(*words) == first
+    assert {cell: cell.stat().st_mtime_ns for cell in cells[1:]} == written
+    assert tables["csv"] == Path(first["csv"]).read_text("utf-8")
+    cells[0].write_text("{}", "utf-8")
+    assert_refused(here("evaluate", *words), str(cells[0]), "delete it")
+    assert_refused(here("evaluate", "--grid", "--data", folder), "--out")
+
+
 def test_processes_change_no_figure(folder: Path) -> None:
     words = ("evaluate", "--data", folder, "--no-ceilings", "--json", "--jobs")
     assert here(*words, 2).document == here(*words, 1).document

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 from verbteach_tui.conclusion import WrongUseError
 
 if TYPE_CHECKING:
-    from verbteach.experiments.evaluation import Mapper
-    from verbteach.experiments.grid import Cell, Filled, Load
+    from verbteach.experiments.evaluation import Grounds, Mapper
+    from verbteach.experiments.grid import Cell, Filled
 
 
 def grid(
@@ -32,7 +32,22 @@ def grid(
         if filled.cell not in known:
             _keep(folder, filled)
         done.append(filled)
-    return _written(out, done, load)
+    grounds, _ = load()
+    return {**_written(out, done, grounds), "errors": str(_errors(out, grounds, seed, mapper))}
+
+
+def _errors(out: Path, grounds: Grounds, seed: int, mapper: Mapper) -> Path:
+    """What goes wrong for the strongest learner where it sees perfectly, by kind."""
+    from verbteach.experiments.grid import STRONGEST
+    from verbteach.experiments.jobs import Setup
+    from verbteach.experiments.mishaps import analyse, markdown
+    from verbteach.experiments.she16 import VARIANTS
+
+    path = out / "errors.md"
+    if not path.exists():
+        analysis = analyse(grounds, Setup(VARIANTS[STRONGEST], seed=seed), mapper)
+        path.write_text(markdown(analysis), "utf-8")
+    return path
 
 
 def _kept(folder: Path, cell: Cell) -> Filled | None:
@@ -58,12 +73,12 @@ def _keep(folder: Path, filled: Filled) -> None:
     fresh.replace(path)
 
 
-def _written(out: Path, done: Sequence[Filled], load: Load) -> dict[str, Any]:
+def _written(out: Path, done: Sequence[Filled], grounds: Grounds) -> dict[str, Any]:
     from verbteach.experiments.evaluation import ceiling_trials
     from verbteach.experiments.grid_tables import HEADER, markdown, rows
     from verbteach.experiments.judging import Score
 
-    scores = [trial.score for trial in ceiling_trials(load()[0])]
+    scores = [trial.score for trial in ceiling_trials(grounds)]
     goal = Score(*(sum(values) / len(scores) for values in zip(*scores, strict=True)))
     tables = {"csv": out / "grid.csv", "markdown": out / "grid.md"}
     with tables["csv"].open("w", encoding="utf-8", newline="") as file:
