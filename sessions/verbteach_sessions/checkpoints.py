@@ -16,7 +16,7 @@ from typing import Any
 from verbteach.dialogue.setting import UnknownSceneError
 from verbteach.dialogue.state import RobotState
 from verbteach_sessions.chain import Followed, Position
-from verbteach_sessions.fold import Fold
+from verbteach_sessions.fold import EVERY, Fold
 from verbteach_sessions.lines import canonical, digest
 from verbteach_sessions.past_lines import PastLines
 from verbteach_sessions.scene_digest import scene_digest
@@ -27,7 +27,6 @@ from verbteach_sessions.turn_rows import Rows, RowsFormatError
 
 CHECKPOINT_NAME = "checkpoints.cache"
 VERSION = 1
-EVERY = 64
 _NEAR = 8
 _TURNS = "turns"
 _STATE = "state"

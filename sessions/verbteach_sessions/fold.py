@@ -35,16 +35,25 @@ class Reply:
     state: RobotState
 
 
+RECENT = 256
+EVERY = 64
+
+
 class Fold:
     """A session's state so far.
 
     ``turns`` are all turns there were, undone ones too. ``states`` holds the
     robot's state after each of them that was computed here. States are
-    immutable, so going back to one is exact and costs nothing.
+    immutable, so going back to one is exact and costs nothing. A fold that is
+    ``brief`` keeps the last ``RECENT`` and of those before one in ``EVERY``;
+    :meth:`state_of` then recomputes the others. ``recalls``: it does so by itself
+    where an undo leads to one.
     """
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: Settings, *, brief: bool = False) -> None:
         self.settings = settings
+        self.recalls = True
+        self._brief = brief
         self.history = History()
         self.content = ContentHash()
         self.turns: list[Turn] = []
@@ -94,7 +103,8 @@ class Fold:
             self.turns.append(Turn(self.history.current, None if learned is None else learned.seq))
         if reply is not None:
             self.states[event.seq] = reply.state
-        if event.type in (kinds.UNDO, kinds.REDO):
+            self._forget()
+        if event.type in (kinds.UNDO, kinds.REDO) and self.recalls:
             self._recall()
         if event.type in _MOVES and self.state is not None:
             self._stand(self.state)
@@ -135,6 +145,16 @@ class Fold:
                 self.states[one.seq] = self._recomputed(one)
         return self.states[node.seq]
 
+    def kept(self, node: Node) -> RobotState | None:
+        """The state after a turn, if it is at hand."""
+        return self.states[node.seq] if self._known(node) else None
+
+    def _forget(self) -> None:
+        """Let go of the state that has just ceased to be recent."""
+        old = len(self.turns) - RECENT - 1
+        if self._brief and old >= 0 and old % EVERY != EVERY - 1:
+            self.states.pop(self.turns[old].node.seq, None)
+
     def _known(self, node: Node) -> bool:
         """Whether the state after a turn is at hand; one that was saved is fetched."""
         if node.seq not in self.states and self._saved is not None:
@@ -170,7 +190,7 @@ class Fold:
     def _recall(self) -> None:
         """After going back past what was computed here: the state that was there."""
         current = self.history.current
-        if self._saved is not None and current is not None:
+        if current is not None and current.seq not in self.states:
             with suppress(CannotUndoError):
                 self.state_of(current)
 

@@ -43,8 +43,8 @@ class Recomputing:
     ``diverged`` says whether that is so now.
     """
 
-    def __init__(self, settings: Settings) -> None:
-        self.fold = Fold(settings)
+    def __init__(self, settings: Settings, *, brief: bool = False) -> None:
+        self.fold = Fold(settings, brief=brief)
         self.difference: Difference | None = None
         self.diverged = False
 
@@ -57,7 +57,7 @@ class Recomputing:
         """
         check_fields(event)
         if event.type == kinds.REBUILD:
-            self.diverged = False
+            self.diverged, self.fold.recalls = False, True
         reply = self._recomputed(event)
         try:
             self.fold.take(event, reply)
@@ -104,7 +104,7 @@ class Recomputing:
     def _differ(self, event: Event, field: str, recorded: Any, recomputed: Any) -> None:
         if not self.diverged and self.difference is None:
             self.difference = Difference(event.seq, field, recorded, recomputed)
-        self.diverged = True
+        self.diverged, self.fold.recalls = True, False
 
 
 def check_fields(event: Event) -> None:

@@ -65,7 +65,7 @@ def verify(
     is no log, ``UnknownSceneError`` and ``NoSecondReaderError``.
     """
     reader = LogReader(path)
-    past = Recomputing(settings)
+    past = Recomputing(settings, brief=True)
     difference: Difference | None = None
     events = 0
     try:
@@ -95,7 +95,7 @@ def replay(path: Path, settings: Settings, to: int | None = None) -> Iterator[Fr
     :func:`verify` does, and ``DamagedLogError`` on reaching the damage.
     """
     reader = LogReader(path)
-    past = Recomputing(settings)
+    past = Recomputing(settings, brief=True)
     for event in reader:
         _take(reader, past, event)
         yield Frame(event, None if past.diverged else past.fold.state)

@@ -74,7 +74,7 @@ class _Past:
 
     def __init__(self, path: Path, settings: Settings, machine: Machine) -> None:
         self._path = path
-        self._recomputing = Recomputing(settings)
+        self._recomputing = Recomputing(settings, brief=True)
         self._held: Event | None = None
         self._last: Event | None = None
         programs = {"Python": machine.python, **machine.software}

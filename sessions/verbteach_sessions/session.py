@@ -75,7 +75,7 @@ class Session:
             machine = header.machine
             recorder = Recorder(
                 log,
-                Fold(settings),
+                Fold(settings, brief=True),
                 lambda: round(clock() - opened, 4),
                 Checkpoints(log.path, {"Python": machine.python, **machine.software}),
             )
@@ -151,7 +151,7 @@ class Session:
 
     def state_after(self, turn: Node) -> RobotState | None:
         """The robot's state after one of its turns; ``None`` where it was not computed."""
-        return self._fold.states.get(turn.seq)
+        return self._fold.kept(turn)
 
     @property
     def redoable(self) -> tuple[Node, ...]:

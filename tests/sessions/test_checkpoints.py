@@ -27,7 +27,7 @@ from tests.sessions.rooms import (
 )
 from verbteach.dialogue.robot import Robot
 from verbteach.dialogue.setting import Setting
-from verbteach_sessions import checkpoints
+from verbteach_sessions import checkpoints, fold
 from verbteach_sessions.checkpoints import CHECKPOINT_NAME
 from verbteach_sessions.content import ContentHash
 from verbteach_sessions.errors import CannotUndoError, DamagedLogError
@@ -35,7 +35,7 @@ from verbteach_sessions.eventlog import LOG_NAME, LogReader
 from verbteach_sessions.header import Machine
 from verbteach_sessions.history import Node
 from verbteach_sessions.places import DATA_VARIABLE
-from verbteach_sessions.replay import verify
+from verbteach_sessions.replay import replay, verify
 from verbteach_sessions.session import Session
 from verbteach_sessions.session_acts import Redo, Undo
 from verbteach_sessions.state_codec import state_from_plain
@@ -49,6 +49,8 @@ def _often() -> Iterator[None]:
     """A checkpoint every few turns, so that short sessions have several."""
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(checkpoints, "EVERY", 4)
+        patched.setattr(fold, "EVERY", 4)
+        patched.setattr(fold, "RECENT", 6)
         yield
 
 
@@ -113,7 +115,7 @@ def test_after_a_crash_only_what_followed_the_checkpoint_is_recomputed(
     monkeypatch.setattr(Robot, "receive", _told(Robot.receive, received))
     with resumed(session.path) as again:
         assert everything(again) == live
-        assert 0 < len(received) < checkpoints.EVERY
+        assert 0 < len(received) < fold.EVERY
 
 
 @some
@@ -136,8 +138,9 @@ def test_a_session_reopened_anywhere_is_the_one_never_closed(seed: int, first: i
 def test_undo_goes_back_past_what_a_checkpoint_holds(tmp_path: Path) -> None:
     with begin(tmp_path) as session:
         say(session, TAUGHT + "good\n")
-        states = dict(session._fold.states)
+    states = {f.event.seq: f.state for f in replay(session.path, settings)}
     with resumed(session.path) as again:
+        assert len(again._fold.states) < len(again.turns())
         while again.can_undo:
             again.perform(Undo())
             assert again.robot.state == states[again.turns()[-1].seq]
@@ -294,3 +297,17 @@ def test_the_content_hash_goes_on_from_a_checkpoint(tmp_path: Path) -> None:
         for event in LogReader(path):
             content.add(event)
         assert session.content_hash == content.hexdigest
+
+
+def test_no_more_states_are_held_than_are_needed(tmp_path: Path) -> None:
+    with begin(tmp_path) as session:
+        say(session, "command: sing\nskip\n" * 10)
+        held = session._fold.states
+        assert len(held) <= 6 + 20 // 4 + 1
+        first = session.turns()[0]
+        assert session.state_after(first) is None
+        session.perform(Undo(turns=20))
+        assert session.robot.state.digest == first.after["digest"]
+        session.perform(Redo(turns=20))
+    assert verify(session.path, settings).verified
+    assert everything_of(session.path)[0] == session.robot.state
