@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from contextlib import suppress
 from functools import partial
 from importlib import import_module
@@ -28,6 +28,7 @@ from verbteach_tui.themes import DEFAULT, THEMES, VARIABLES
 if TYPE_CHECKING:
     from verbteach.world.scene import Scene
     from verbteach_tui.lab.lab import Lab
+    from verbteach_tui.screens.studies import Chosen
     from verbteach_tui.teaching import Teaching
 
 WARMING = 0.5
@@ -49,6 +50,8 @@ def run_app(options: AppOptions) -> int:
         app.close_sessions()
     if app.failure is not None:
         raise app.failure
+    if app.afterwards is not None:
+        return app.afterwards()
     return app.return_code or 0
 
 
@@ -70,6 +73,7 @@ class VerbteachApp(App[None]):
         self.failure: Exception | None = None
         self._open: list[Teaching] = []
         self._lab: Lab | None = None
+        self.afterwards: Callable[[], int] | None = None
         if "SSH_CONNECTION" in os.environ and "TEXTUAL_ANIMATIONS" not in os.environ:
             self.animation_level = "none"  # every frame would go over the wire
         stock = list(self.available_themes)
@@ -202,6 +206,23 @@ class VerbteachApp(App[None]):
         elif isinstance(self.options.opening, OpenHome):
             self.pop_screen()
         else:
+            self.exit()
+
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """There is no study to choose where the app itself is served to somebody."""
+        if action == "study" and self.options.take_part is None:
+            return False
+        return super().check_action(action, parameters)
+
+    def action_study(self) -> None:
+        """Choose a study to take part in."""
+        from verbteach_tui.screens.studies import StudyChooser
+
+        self.push_screen(StudyChooser(self.options.scenes), self._take_part)
+
+    def _take_part(self, chosen: Chosen | None) -> None:
+        if chosen is not None and self.options.take_part is not None:
+            self.afterwards = partial(self.options.take_part, chosen.file, chosen.code)
             self.exit()
 
     def action_lab(self) -> None:

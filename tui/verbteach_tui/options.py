@@ -61,7 +61,8 @@ class AppOptions:
     whose sessions the home screen offers. ``speed`` is in executed steps per
     second (0: all at once). ``theme`` is a theme's name, ``None`` the default.
     ``keymap`` are the person's own keys. The tour is shown by itself where there
-    is no file ``toured`` yet (``None``: never), and the file is made.
+    is no file ``toured`` yet (``None``: never), and the file is made. ``take_part``
+    leads through the study in a file, by a code, once this app is gone (``None``: not here).
     """
 
     settings: Settings
@@ -75,3 +76,4 @@ class AppOptions:
     theme: str | None = None
     keymap: Keymap | None = None
     toured: Path | None = None
+    take_part: Callable[[Path, str | None], int] | None = None

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from verbteach_tui.beginning import Beginning
@@ -19,7 +21,16 @@ def full_screen(
 
     keymap = read_keymap(keys_file())
     options = app_options(beginning, opening or OpenHome(), theme)
-    return run_app(replace(options, keymap=keymap, toured=_toured(beginning)))
+    take_part = None if in_browser() else partial(_take_part, beginning, theme)
+    return run_app(
+        replace(options, keymap=keymap, toured=_toured(beginning), take_part=take_part)
+    )
+
+
+def _take_part(beginning: Beginning, theme: str | None, file: Path, code: str | None) -> int:
+    from verbteach_tui.study.taking_part import ways
+
+    return ways(replace(beginning, participant=code), file, theme, sys.stdout)["app"]()
 
 
 def _toured(beginning: Beginning) -> Path:

@@ -46,6 +46,7 @@ class HomeScreen(Screen[None]):
         Binding("n", "scenes", "New session"),
         Binding("c", "sessions", "Continue one"),
         Binding("l", "app.lab", "Lab"),
+        Binding("p", "app.study", "Take part in a study"),
         Binding("p", "play_back", "Play one back"),
     ]
 
