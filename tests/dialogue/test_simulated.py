@@ -9,6 +9,7 @@ import pytest
 
 from tests.dialogue.stage import BOIL, robot, tell
 from verbteach.dialogue import acts
+from verbteach.dialogue.decision import Candidate, Decision
 from verbteach.dialogue.judging import Judge
 from verbteach.dialogue.lesson import Lesson
 from verbteach.dialogue.moves import Phase
@@ -133,3 +134,29 @@ def test_rates_are_met_and_seeds_matter() -> None:
 def test_a_rate_is_a_probability(rate: float) -> None:
     with pytest.raises(ValueError, match="between 0 and 1"):
         TeacherHabits(wrong=rate)
+
+
+def test_what_is_meant_may_be_said_in_other_words_than_the_lesson() -> None:
+    """A lesson that wants a thing stowed away: in the cupboard is part of it, if nothing else is."""
+    inside = Literal(Fluent("in", ("Bread_1", "Cupboard_1")))
+    steps = ("moveto Cupboard_1", "open Cupboard_1", "moveto Bread_1", "grasp Bread_1")
+    stored = ("moveto Cupboard_1", "put-in Bread_1 Cupboard_1")
+    lesson = Lesson(
+        "stow", "kitchen-1", "put away the bread", "put away", {"the bread": ("Bread_1",)},
+        tuple(Action.parse(step) for step in (*steps, *stored)),
+        frozenset({Literal(Fluent("stowed", ("Bread_1",)))}),
+    )  # fmt: skip
+    pupil = robot()
+    teacher = SimulatedTeacher([lesson], pupil.settings)
+    tell(pupil, teacher.reply(pupil.turn, pupil.state) or acts.Skip())
+    question = acts.GoalRelevantYnq(inside)
+
+    def asked(*goal: Literal) -> acts.TeacherAct | None:
+        keep = Candidate(acts.IncludeFluent(frozenset(goal)), {})
+        decision = Decision((Candidate(question, {}), keep), 0)
+        turn = replace(pupil.turn, acts=(question,), phase=Phase.LEARNING, decisions=(decision,))
+        return teacher.reply(turn, pupil.state)
+
+    opened = Literal(Fluent("open", ("Cupboard_1",)))
+    assert asked(inside, opened) == acts.Yes()
+    assert asked(inside, *lesson.goal) == acts.No()

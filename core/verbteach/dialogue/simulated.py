@@ -20,6 +20,7 @@ from verbteach.dialogue.moves import Phase
 from verbteach.dialogue.setting import Settings
 from verbteach.dialogue.state import RobotState
 from verbteach.dialogue.turn import RobotTurn
+from verbteach.world.fluents import Literal
 
 
 def seeded_order(lessons: Sequence[Lesson], count: int, seed: int) -> tuple[Lesson, ...]:
@@ -81,7 +82,7 @@ class SimulatedTeacher:
             case Phase.COMMAND:
                 return self._command(state)
             case Phase.EXECUTION | Phase.LEARNING:
-                return self._answer(turn.waiting_act, state)
+                return self._answer(turn, state)
             case Phase.JUDGEMENT:
                 return self._judgement(state)
             case Phase.DEMONSTRATION:
@@ -108,7 +109,8 @@ class SimulatedTeacher:
         self.given += 1
         return acts.Command(lesson.command)
 
-    def _answer(self, question: acts.RobotAct, state: RobotState) -> TeacherAct:
+    def _answer(self, turn: RobotTurn, state: RobotState) -> TeacherAct:
+        question = turn.waiting_act
         asked = len(state.episode.asked) if state.episode else 0
         draws = np.random.default_rng([self._habits.seed, self.given, asked, 0x7EAC])
         unsure, wrong = draws.random(2).tolist()
@@ -118,12 +120,12 @@ class SimulatedTeacher:
         if isinstance(question, acts.NpGrdWhq):
             gold = self._gold(question.np)
             return acts.Point(gold[0]) if gold else acts.Unsure()
-        truth = self._truth(question, state)
+        truth = self._truth(question, state, turn)
         if truth is None:
             return acts.Unsure()
         return acts.Yes() if truth != (wrong < self._habits.wrong) else acts.No()
 
-    def _truth(self, question: acts.RobotAct, state: RobotState) -> bool | None:
+    def _truth(self, question: acts.RobotAct, state: RobotState, turn: RobotTurn) -> bool | None:
         """The right answer to a yes/no question; None where the lesson does not say."""
         match question:
             case acts.NpGrdYnq(np=phrase, object=thing):
@@ -133,11 +135,26 @@ class SimulatedTeacher:
             case acts.EnvPredYnq(fluent=fluent):
                 return fluent in (state.episode.start if state.episode else state.world)
             case acts.GoalPredYnq(literal=literal) | acts.GoalRelevantYnq(literal=literal):
-                return literal in self._lesson.goal
+                shown = isinstance(question, acts.GoalRelevantYnq)
+                return literal in self._lesson.goal or (
+                    shown and self._needed(literal, state, turn)
+                )
             case acts.PredChangeYnq(literal=literal):
                 before = state.episode.start if state.episode else state.world
                 return literal.holds(state.world) and not literal.holds(before)
         return None
+
+    def _needed(self, literal: Literal, state: RobotState, turn: RobotTurn) -> bool:
+        """Whether what the robot is about to keep is right with the literal, and wrong without.
+
+        What is meant can be said in other words than the lesson's: in the cupboard, put away.
+        """
+        options = turn.decisions[-1].candidates if turn.decisions else ()
+        kept = next((o.act.goal for o in options if isinstance(o.act, acts.IncludeFluent)), None)
+        if kept is None or state.episode is None:
+            return False
+        judge, start = self._judge(), state.episode.start
+        return judge.goal(start, kept) and not judge.goal(start, kept - {literal})
 
     def _gold(self, phrase: str) -> tuple[str, ...]:
         return self._lesson.grounding.get(phrase, ())
