@@ -17,7 +17,7 @@ from verbteach_sessions.names import new_code
 from verbteach_sessions.people.habits import ASKED, JUDGED, Habits, Phrasings, Rates
 from verbteach_sessions.people.population import RATES, Beta, Population
 
-POLICIES = ("random", "split", "random", "manual", "random", "she16")
+POLICIES = ("random", "split", "random", "rl", "random", "manual", "random", "she16")
 """In turn. ``random`` is there often, since only a policy that explores can be learned from."""
 
 NOISES = ("perfect", "std3")

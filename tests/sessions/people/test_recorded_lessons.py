@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
+import pytest
+
 from tests.sessions.people.corpus import book, read_all, settings
 from tests.sessions.rooms import BOIL, TAUGHT, recorded
 from verbteach.dialogue.simulated import SimulatedTeacher
 from verbteach.world.fluents import satisfied
 from verbteach.world.simulator import run
+from verbteach_sessions.example import ExampleParameters, make_example
 from verbteach_sessions.method import Method
 from verbteach_sessions.people.golds import LessonBook
 from verbteach_sessions.people.recorded import Recorded
 from verbteach_sessions.people.recorded_lessons import taught
-from verbteach_sessions.people.rehearsal import rehearse
+from verbteach_sessions.people.rehearsal import meet, rehearse
 
 
 def test_what_a_person_taught_can_be_taught_again(tmp_path: Path) -> None:
@@ -51,3 +55,25 @@ def test_what_began_in_a_changed_world_is_no_lesson(tmp_path: Path) -> None:
 def test_what_nobody_confirmed_is_no_lesson(tmp_path: Path) -> None:
     (record,) = read_all([recorded(tmp_path, BOIL.replace("done\ngood\n", "done\nskip\n"))])
     assert list(taught(record, LessonBook(), settings())) == []
+
+
+@pytest.mark.slow
+def test_a_policy_meets_people_and_those_fitted_to_others_alike(tmp_path: Path) -> None:
+    made = make_example(tmp_path, ExampleParameters(sessions=16, lessons=4, seed=7))
+    heard: list[tuple[int, int]] = []
+    meeting = meet(
+        read_all(made),
+        book(),
+        settings(),
+        np.random.default_rng(0),
+        lambda done, of: heard.append((done, of)),
+    )
+    assert meeting.alike
+    assert meeting.people == (4, 4)
+    assert meeting.episodes[0] == meeting.episodes[1] > 20
+    assert heard[-1] == (8, 8)
+
+
+def test_comparing_with_a_simulator_needs_four_people(records: tuple[Recorded, ...]) -> None:
+    with pytest.raises(ValueError, match="4 people"):
+        meet(records, book(), settings(), np.random.default_rng(0))
