@@ -141,7 +141,7 @@ class Checkpoints:
         if self._file is None or not enough or state is None or not fold.history.at_rest:
             return
         try:
-            lines = self._lines(fold, state, position, _NEAR if now else 0)
+            lines = self._lines(fold, state, position, _NEAR if now or self._mark is None else 0)
         except StateFormatError:  # a state that holds what has no JSON: nothing is kept of it
             self._file = None
             return

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -11,9 +12,10 @@ from hypothesis import strategies as st
 
 from tests.sessions.rooms import BOIL, babble, begin, resumed, say, settings, teach
 from verbteach.dialogue.state import state_to_json
+from verbteach_sessions.header import Header
 from verbteach_sessions.replay import replay, verify
 from verbteach_sessions.session import Session
-from verbteach_sessions.session_acts import Redo, Undo
+from verbteach_sessions.session_acts import Note, Redo, Undo
 
 some = hypothesis_settings(max_examples=12, deadline=None)
 seeds = st.integers(0, 2**32 - 1)
@@ -95,3 +97,21 @@ def test_undo_goes_back_over_scenes_and_what_was_learned(tmp_path: Path) -> None
         assert (state.scene, state.knowledge.verbs, state.totals.reward) == ("kitchen-1", (), 0.0)
         with begin(tmp_path) as fresh:
             assert state.digest == fresh.robot.state.digest
+
+
+@some
+@given(seeds, st.floats(0.01, 100.0), st.sampled_from(["key", "typed", "browser"]))
+def test_the_content_hash_knows_no_time_and_no_interface(
+    seed: int, pace: float, interface: str
+) -> None:
+    with TemporaryDirectory() as folder, begin(Path(folder)) as one:
+        header = Header.new("kitchen-1", interface=interface, terminal=(80, 24))
+        ticks = itertools.count(7)
+        with Session.create(
+            Path(folder), header, settings, clock=lambda: pace * next(ticks)
+        ) as two:
+            for act in teach(one, seed, 6):
+                two.perform(act, raw="otherwise", via=interface, shown_at=two.now())
+            assert one.content_hash == two.content_hash
+            two.perform(Note("and one thing more"))
+            assert one.content_hash != two.content_hash
