@@ -22,6 +22,7 @@ from verbteach_sessions.exports.alias import alias, timeless
 from verbteach_sessions.exports.dialogue import ROBOT, TEACHER, Dialogue
 from verbteach_sessions.exports.reading import read_dialogue
 from verbteach_sessions.history import History
+from verbteach_sessions.learned import source_from
 from verbteach_sessions.transcript import NOTE, transcript
 
 
@@ -133,3 +134,10 @@ def test_a_branch_names_its_parent_by_its_alias(corpus: tuple[Path, ...], tmp_pa
     assert dialogue.id != whole.id
     assert [t.text for t in dialogue.turns] == [t.text for t in whole.turns[:3]]
     assert grouped([member(whole), member(dialogue)]) == [sorted([whole.id, dialogue.id])]
+
+
+def test_the_content_hash_is_that_of_the_record(
+    corpus: tuple[Path, ...], dialogues: tuple[Dialogue, ...]
+) -> None:
+    for path, dialogue in zip(corpus, dialogues, strict=True):
+        assert dialogue.content_hash == source_from(path).content_hash
