@@ -18,11 +18,12 @@ from textual.pilot import Pilot
 
 from verbteach_scenarios.scenes import load_scene, scene_ids
 from verbteach_scenarios.settings import make_settings
+from verbteach_sessions.driving import ScriptTeacher, drive
 from verbteach_sessions.header import Header
 from verbteach_sessions.session import Session
 from verbteach_tui.app import VerbteachApp
 from verbteach_tui.keyguard import KeyGuard
-from verbteach_tui.options import AppOptions, OpenHome, Opening, OpenNew
+from verbteach_tui.options import AppOptions, OpenHome, Opening, OpenNew, OpenRecord
 from verbteach_tui.screens.teach import TeachScreen
 from verbteach_tui.widgets.command_input import CommandInput
 
@@ -40,6 +41,18 @@ BOIL = (
 )
 
 
+RECORDED = (
+    "command: wash the mug",
+    "object: Mug_2",
+    "skip",
+    "command: boil the water",
+    "do: moveto Kettle_1",
+    "do: grasp Kettle_1",
+    "do: moveto Burner_1",
+    "do: set-on Kettle_1 Burner_1",
+)
+
+
 class Step(NamedTuple):
     """Type ``line``, else press ``key``; then take the picture ``shot``, if it has a name.
 
@@ -53,11 +66,15 @@ class Step(NamedTuple):
 
 
 class Scenario(NamedTuple):
-    """A lesson in one size; ``scene`` is empty for the home screen."""
+    """A lesson in one size; ``scene`` is empty for the home screen.
+
+    Where ``recorded`` are the lines of a script, what they make is played back.
+    """
 
     size: tuple[int, int]
     scene: str
     steps: tuple[Step, ...]
+    recorded: tuple[str, ...] = ()
 
 
 SCENARIOS = (
@@ -83,6 +100,12 @@ SCENARIOS = (
             Step(key="f5", shot="verbs"),
         ),
     ),
+    Scenario(
+        WIDE,
+        "kitchen-1",
+        (*(Step(key="right") for _ in range(6)), Step(key="right", shot="replay")),
+        RECORDED,
+    ),
     Scenario(NORMAL, "kitchen-1", (*(Step(line) for line in BOIL), Step(shot="teach-80x24"))),
     Scenario(NARROW, "kitchen-1", (Step("wash the mug", shot="teach-60x20"),)),
 )
@@ -92,6 +115,10 @@ async def play(scenario: Scenario, folder: Path) -> dict[str, str]:
     """Play a scenario; its pictures as SVG, by name."""
     settings = make_settings()
     opening: Opening = OpenNew(scenario.scene) if scenario.scene else OpenHome()
+    if scenario.recorded:
+        with Session.create(folder, Header.new(scenario.scene), settings) as session:
+            drive(session, ScriptTeacher(scenario.recorded))
+        opening = OpenRecord(session.path)
     app = VerbteachApp(
         AppOptions(
             settings,

@@ -144,7 +144,7 @@ def test_bench_prints_every_figure_of_the_contract(monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr("verbteach_tui.bench.dialogue.WARMED", 20)
     monkeypatch.setattr("verbteach_tui.bench.dialogue.SECONDS", 0.2)
     monkeypatch.setattr("verbteach_tui.bench.dialogue.TAUGHT", 3)
-    for name, value in {"QUESTIONS": 10, "TURNS": 60, "APP_TURNS": 20}.items():
+    for name, value in {"QUESTIONS": 10, "TURNS": 60, "APP_TURNS": 20, "KEY_TURNS": 12}.items():
         monkeypatch.setattr(f"verbteach_tui.commands.bench.{name}", value)
     ran = here("bench", "--json")
     assert ran.status == 0
@@ -154,6 +154,10 @@ def test_bench_prints_every_figure_of_the_contract(monkeypatch: pytest.MonkeyPat
     for name in ("turn_ms", "planned_turn_ms", "plan_ms"):
         assert 0 < document[name]["p50"] <= document[name]["p95"]
     assert document["plan_ms"]["path"] in ("plain", "compiled")
+    for kind in ("moving", "turning"):
+        assert (
+            0 < document["key_to_paint_ms"][kind]["p50"] <= document["key_to_paint_ms"][kind]["p95"]
+        )
     for name in ("dialogues_per_s", "planned_episodes_per_s", "replay_events_per_s", "rss_mb"):
         assert document[name] > 0
     assert document["peers"] == {}

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from verbteach_tui.bench.questions import Question
 
 QUESTIONS, PEERS_QUESTIONS = 200, 40
-TURNS, APP_TURNS = 300, 1000
+TURNS, APP_TURNS, KEY_TURNS = 300, 1000, 500
 
 
 def bench(
@@ -43,6 +43,7 @@ def measure(folder: Path, data: Path | None, peers: bool, show: Progress) -> dic
         "startup_ms": _startup(show),
         **_planning(data, peers, show),
         **_teaching(folder, show),
+        "key_to_paint_ms": _painting(folder, show),
         "rss_mb": _memory(folder, show),
     }
 
@@ -122,6 +123,16 @@ def _teaching(folder: Path, show: Progress) -> dict[str, Any]:
         "planned_episodes_per_s": episodes,
         "replay_events_per_s": replayed,
     }
+
+
+def _painting(folder: Path, show: Progress) -> dict[str, Any]:
+    from verbteach_tui.bench.clock import percentiles
+    from verbteach_tui.bench.painting import key_to_paint
+
+    show("keys to the screen", 0, 1)
+    found = key_to_paint(folder, KEY_TURNS)
+    show("keys to the screen", 1, 1)
+    return {kind: percentiles(times) for kind, times in found.items()}
 
 
 def _memory(folder: Path, show: Progress) -> float | None:

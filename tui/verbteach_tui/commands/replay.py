@@ -23,7 +23,13 @@ def replay(
         bool, typer.Option("--verify", help="Recompute everything and compare it with the record.")
     ] = False,
     to: Annotated[
-        int | None, typer.Option("--to", min=0, metavar="SEQ", help="Stop after this event.")
+        int | None,
+        typer.Option(
+            "--to",
+            min=0,
+            metavar="SEQ",
+            help="In lines stop after this event, on the screen begin at it.",
+        ),
     ] = None,
     speed: Annotated[
         float,

@@ -1,0 +1,126 @@
+"""How long a key takes to show on the screen in a session with a long log.
+
+`python -m verbteach_tui.bench.painting FOLDER TURNS` makes such a session,
+opens it in the app without a terminal, and prints the milliseconds of each key
+as JSON: keys that move about, and keys that take a turn back and do it again.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from textual.pilot import Pilot
+
+    from verbteach_tui.app import VerbteachApp
+
+SIZE = (120, 40)
+ROUNDS = 12
+MOVING = ("pageup", "pagedown", "a", "backspace")
+TURNING = ("ctrl+z", "ctrl+y")
+PATIENCE = 2.0
+
+
+def key_to_paint(folder: Path, turns: int) -> dict[str, list[float]]:
+    """Milliseconds from a key to its paint, of ``moving`` and of ``turning`` keys."""
+    words = [sys.executable, "-m", "verbteach_tui.bench.painting", str(folder), str(turns)]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        return {"moving": [], "turning": []}
+    found: dict[str, list[float]] = json.loads(done.stdout)
+    return found
+
+
+async def run(folder: Path, turns: int) -> dict[str, list[float]]:
+    """Make a session of ``turns`` turns, and press keys in it."""
+    from verbteach_tui.app import VerbteachApp
+    from verbteach_tui.beginning import Beginning
+    from verbteach_tui.options import OpenSession
+    from verbteach_tui.room import app_options
+    from verbteach_tui.screens.teach import TeachScreen
+
+    path = _taught(folder, turns)
+    opening = OpenSession(path)
+    app = VerbteachApp(app_options(Beginning(folder, "app"), opening, speed=0.0))
+    async with app.run_test(size=SIZE) as pilot:
+        while not isinstance(app.screen, TeachScreen):
+            await asyncio.sleep(0.01)
+        await pilot.pause(0.5)
+        times = await _pressed(app, pilot)
+    app.close_sessions()
+    return times
+
+
+def _taught(folder: Path, turns: int) -> Path:
+    from verbteach.dialogue.simulated import SimulatedTeacher, seeded_order
+    from verbteach_scenarios.lessons import load_lessons
+    from verbteach_scenarios.settings import make_settings
+    from verbteach_sessions.header import Header
+    from verbteach_sessions.session import Session
+
+    settings = make_settings()
+    order = seeded_order(load_lessons(), turns, 1)
+    teacher = SimulatedTeacher(order, settings)
+    with Session.create(folder, Header.new(order[0].scene, interface="bench"), settings) as session:
+        for _ in range(turns):
+            act = teacher.reply(session.turn, session.robot.state)
+            if act is None:
+                break
+            session.perform(act, via="simulated")
+        return session.path
+
+
+async def _pressed(app: VerbteachApp, pilot: Pilot[None]) -> dict[str, list[float]]:
+    painted = _Painted(app)
+    times: dict[str, list[float]] = {"moving": [], "turning": []}
+    for name, keys in (("moving", MOVING), ("turning", TURNING)):
+        for number in range(ROUNDS):
+            for key in keys:
+                taken = await painted.after(key, name == "turning")
+                if number:  # the first round only warms up
+                    times[name].append(taken)
+                await pilot.pause(0.1)
+    return times
+
+
+class _Painted:
+    """Sees when the app writes to its screen."""
+
+    def __init__(self, app: VerbteachApp) -> None:
+        self._app, self._last, self._changed = app, 0.0, 0.0
+        shown: Any = app
+        display = shown._display
+
+        def noted(screen: Any, renderable: Any) -> None:
+            # Without a terminal the app leaves out what it would write; that takes time, too.
+            if hasattr(renderable, "render_segments"):
+                renderable.render_segments(app.console)
+            display(screen, renderable)
+            self._last = time.perf_counter()
+
+        shown._display = noted
+
+    async def after(self, key: str, turn: bool) -> float:
+        """Milliseconds from ``key`` until what it did is on the screen."""
+        screen: Any = self._app.screen
+        before, start, self._changed = screen.snapshot, time.perf_counter(), 0.0
+        self._app.simulate_key(key)
+        while time.perf_counter() - start < PATIENCE:
+            await asyncio.sleep(0)
+            if turn and screen.snapshot is before:
+                continue
+            if turn and not self._changed:
+                self._changed = time.perf_counter()
+            if self._last > (self._changed if turn else start):
+                return (self._last - start) * 1000
+        return PATIENCE * 1000
+
+
+if __name__ == "__main__":
+    print(json.dumps(asyncio.run(run(Path(sys.argv[1]), int(sys.argv[2])))))
