@@ -143,6 +143,7 @@ def _turn(turn: Turn) -> str:
 def _told(turn: Turn, sights: Mapping[str, int]) -> dict[str, Any]:
     """What the script shows beside a turn, all text made visible."""
     beliefs: Mapping[str, Any] = turn.beliefs or {"grounding": [], "goals": [], "uncertain": []}
+    unsure = sorted(beliefs["uncertain"], key=_certainty)
     told: dict[str, Any] = {
         "sight": sights.get(turn.world),
         "at": round(turn.at, 1),
@@ -152,13 +153,17 @@ def _told(turn: Turn, sights: Mapping[str, int]) -> dict[str, Any]:
             {"name": one["phrase"], "bars": _bars(one["objects"])} for one in beliefs["grounding"]
         ],
         "goals": _bars([(", ".join(g["goal"]), g["share"]) for g in beliefs["goals"]]),
-        "uncertain": _bars(sorted(beliefs["uncertain"], key=lambda pair: abs(pair[1] - 0.5))),
-        "unlisted": max(0, len(beliefs["uncertain"]) - _BEST),
+        "uncertain": _bars(unsure),
+        "unlisted": max(0, len(unsure) - _BEST),
         "choices": [_choice(one) for one in turn.decisions],
         "verbs": list(turn.verbs_learned),
     }
     shown: dict[str, Any] = _visible(told)
     return shown
+
+
+def _certainty(pair: tuple[str, float]) -> float:
+    return abs(pair[1] - 0.5)
 
 
 def _bars(pairs: Iterable[Iterable[Any]]) -> list[list[Any]]:
