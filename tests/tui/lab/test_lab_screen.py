@@ -72,6 +72,19 @@ async def test_a_run_is_started_shown_and_cancelled(
         assert isinstance(here.app.screen, HomeScreen)
 
 
+async def test_the_curve_takes_the_room_that_the_settings_leave(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    worker(monkeypatch, BUSY)
+    async with room(folder, OpenHome(), size=NARROW) as here:
+        await here.pilot.press("l", "enter")
+        await until(here, "outcome", "return of a dialogue")
+        assert not here.app.screen.query_one(LabSettings).display
+        await here.pilot.press("x")
+        await here.pilot.pause(0.3)
+        assert here.app.screen.query_one(LabSettings).has_focus
+
+
 async def test_policies_are_compared_side_by_side(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

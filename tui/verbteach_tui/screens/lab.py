@@ -107,11 +107,19 @@ class LabScreen(Screen[None]):
         before, self._seen = self._seen, state
         self._make_room(state.running)
         self.query_one("#progress", RowsView).show(lambda width: progress_rows(state, width))
+        self._draw_outcome()
+        if before is not None and before.running and not state.running:
+            self._list_earlier()
+
+    def on_resize(self) -> None:
+        """The curve is as high as there is room."""
+        self.call_after_refresh(self._draw_outcome)
+
+    def _draw_outcome(self) -> None:
+        state = self._seen or self._lab.state
         outcome = self.query_one("#outcome", RowsView)
         outcome.border_title = "Policies" if _compares(state) else "Learning curve"
         outcome.show(lambda width: self._outcome(state, width))
-        if before is not None and before.running and not state.running:
-            self._list_earlier()
 
     def _make_room(self, running: bool) -> None:
         """Where there is little room, the settings leave it to the work while that goes on."""
@@ -123,6 +131,7 @@ class LabScreen(Screen[None]):
             self.query_one("#outcome").focus()
         elif narrow:
             self.query_one(LabSettings).focus()
+        self.call_after_refresh(self._draw_outcome)
 
     def _outcome(self, state: LabState, width: int) -> Sequence[Row]:
         height = self.query_one("#outcome").scrollable_content_region.height
