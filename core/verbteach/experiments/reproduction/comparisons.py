@@ -12,14 +12,13 @@ from typing import Any
 
 from verbteach.experiments.figures import Observation
 from verbteach.experiments.reproduction.curves import asking
+from verbteach.experiments.reproduction.design import MATCHED
 from verbteach.experiments.reproduction.rows import Row
 from verbteach.experiments.reproduction.tables import EXECUTION_KINDS, LEARNING_KINDS, SCORES, cells
 from verbteach.experiments.sight import stream
 from verbteach.experiments.significance import holm, paired_permutation
 
 FLIPS = 10_000
-MATCHED = ("split", "manual", "random")
-"""The rules that are also compared at the mean number of questions of the policy studied."""
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,9 @@ from verbteach.experiments.sight import stream
 
 POLICIES = ("rl", "manual", "random", "split", "she16", "she16-all")
 DEMONSTRATION_ONLY = ("she16", "she16-all")
+LEARNED = "rl"
+MATCHED = ("split", "manual", "random")
+"""The rules that are also compared at the mean number of questions of the learned policy."""
 NOISES = ("perfect", "std3", "std5", "uniform")
 STUDIED = "std3"
 """The noise level of Table 5 and Figure 5."""
@@ -119,7 +122,7 @@ class Design:
             held_out=self.held_out(run),
             together=bool(self.apart) or self.folds == "groups",
             checkpoints=CHECKPOINTS if drawn else (),
-            trace=policy not in DEMONSTRATION_ONLY,
+            trace=policy in MATCHED or (policy == LEARNED and noise == STUDIED),
         )
         return Task(config, self.about)
 

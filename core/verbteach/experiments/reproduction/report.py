@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from verbteach.experiments.reproduction.comparisons import (
-    MATCHED,
     compared,
     matched_pairs,
     mean_questions,
@@ -15,7 +14,7 @@ from verbteach.experiments.reproduction.comparisons import (
     table5_pairs,
 )
 from verbteach.experiments.reproduction.curves import asking, figure5, per_question
-from verbteach.experiments.reproduction.design import STUDIED, Design
+from verbteach.experiments.reproduction.design import MATCHED, STUDIED, Design
 from verbteach.experiments.reproduction.rows import Row
 from verbteach.experiments.reproduction.tables import SCORES, Table, cells, table4, table5
 
