@@ -15,11 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from verbteach.dialogue.acts import RequestDemonstration
-from verbteach.dialogue.codec import robot_act_from_json
+from verbteach.dialogue.codec import ActFormatError, robot_act_from_json
 from verbteach.dialogue.decision import Candidate
 from verbteach.experiments.off_policy.trajectories import Choice, Log, Trajectory
 from verbteach.policy.weights_file import SPACES
-from verbteach_sessions.people.recorded import Recorded
+from verbteach_sessions.errors import SessionError
+from verbteach_sessions.people.recorded import Recorded, Said
 
 Floats = NDArray[np.float64]
 
@@ -55,7 +56,7 @@ def logged(recorded: Recorded) -> Iterator[LoggedPhase]:
     """The phases of a record in which the policy chose; one that the session ended in is left out.
 
     Decisions that no asking policy takes part in (unclear words, which are asked
-    about by rule) are no choices.
+    about by rule) are no choices. Raises ``SessionError`` for one that cannot be read.
     """
     under_way: list[LoggedChoice] = []
     for one in recorded.said:
@@ -64,7 +65,8 @@ def logged(recorded: Recorded) -> Iterator[LoggedPhase]:
             earned = under_way[-1].reward + float(data["reward"])
             under_way[-1] = replace(under_way[-1], reward=earned)
         closes = one.after.outcome is not None
-        for choice in [None, *_choices(data)] if closes else _choices(data):
+        chosen = _read(recorded, one)
+        for choice in [None, *chosen] if closes else chosen:
             if under_way and (choice is None or choice.phase != under_way[-1].phase):
                 yield LoggedPhase(recorded.person, tuple(under_way))
                 under_way = []
@@ -84,6 +86,14 @@ def log_of(phases: Sequence[LoggedPhase], chances: Chances, gamma: float) -> Log
     return Log(tuple(trajectories), gamma)
 
 
+def _read(recorded: Recorded, said: Said) -> list[LoggedChoice]:
+    try:
+        return list(_choices(said.reply.data))
+    except (ActFormatError, IndexError) as error:
+        place = f"{recorded.header.id}, event {said.reply.seq}"
+        raise SessionError(f"{place}: a decision that cannot be read, {error}") from error
+
+
 def _choices(data: Mapping[str, Any]) -> Iterator[LoggedChoice]:
     for decision in data["decisions"]:
         candidates = tuple(
@@ -91,6 +101,8 @@ def _choices(data: Mapping[str, Any]) -> Iterator[LoggedChoice]:
             for one in decision["candidates"]
         )
         phase = _phase(candidates)
+        if not 0 <= decision["chosen"] < len(candidates):
+            raise IndexError(f"there is no candidate {decision['chosen']}")
         if phase:
             yield LoggedChoice(phase, candidates, decision["chosen"], decision["propensity"], 0.0)
 

@@ -12,8 +12,10 @@ from dataclasses import dataclass
 from verbteach.dialogue import acts
 from verbteach.dialogue.lesson import Lesson
 from verbteach.dialogue.setting import Settings
+from verbteach.verbs.space import HypothesisSpace
 from verbteach.world.fluents import Goal
 from verbteach.world.plan import Action
+from verbteach_sessions.errors import SessionError
 from verbteach_sessions.people.golds import LessonBook
 from verbteach_sessions.people.observations import SIMULATED, later
 from verbteach_sessions.people.recorded import Recorded, Said
@@ -93,6 +95,9 @@ def _frame(said: Said, meant: Mapping[str, str]) -> tuple[str, Mapping[str, tupl
     spaces = said.record["spaces"] if said.record else []
     if not spaces:
         return "", {phrase: (thing,) for phrase, thing in meant.items()}
-    kept = spaces[-1]["demonstration"]
-    pairs = zip(kept["phrases"], kept["grounding"], strict=True)
-    return str(kept["verb"]), {phrase: (meant.get(phrase, thing),) for phrase, thing in pairs}
+    try:
+        kept = HypothesisSpace.from_json(spaces[-1]).demonstration
+        pairs = list(zip(kept.phrases, kept.grounding, strict=True))
+    except ValueError as error:
+        raise SessionError(f"event {said.seq}: what was learned cannot be read, {error}") from error
+    return kept.verb, {phrase: (meant.get(phrase, thing),) for phrase, thing in pairs}

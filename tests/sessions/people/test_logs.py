@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from tests.sessions.people.corpus import read_all
+from tests.sessions.records import forge
 from tests.sessions.rooms import TAUGHT, recorded
 from verbteach_scenarios.weights import starting_weights
+from verbteach_sessions.errors import SessionError
 from verbteach_sessions.people.evaluating import NOTHING, evaluate_policy
 from verbteach_sessions.people.logs import log_of, logged
-from verbteach_sessions.people.recorded import Recorded
+from verbteach_sessions.people.recorded import Recorded, read_recorded
 from verbteach_sessions.people.targets import TARGETS, UnknownTargetError, target
 
 
@@ -112,3 +116,27 @@ def test_an_unknown_policy_is_named_with_those_there_are() -> None:
 
 def rng() -> np.random.Generator:
     return np.random.default_rng(0)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"chosen": 99},
+        {"chosen": -1},
+        {"candidates": [], "chosen": 0},
+        {"candidates": [{"act": {"act": "sing"}, "features": {}, "q": None}]},
+    ],
+)
+def test_a_decision_that_cannot_be_read_is_named(
+    change: dict[str, object], example: tuple[Path, ...], tmp_path: Path
+) -> None:
+    path = tmp_path / example[0].name
+    shutil.copytree(example[0], path)
+
+    def forged(events: list[dict[str, Any]]) -> None:
+        event = next(e for e in events if e["type"] == "robot" and e["data"]["decisions"])
+        event["data"]["decisions"][0].update(change)
+
+    forge(path, forged)
+    with pytest.raises(SessionError, match=r"event \d+: a decision"):
+        list(logged(read_recorded(path)))
