@@ -12,6 +12,8 @@ from tests.tui.study.led import SHOW, WHOLE, begun, plainly, sessions_of, study_
 from verbteach_sessions.eventlog import LogReader
 from verbteach_sessions.validate import validate
 from verbteach_tui.plain_talk import MisfitError
+from verbteach_tui.plain_words import LOCAL
+from verbteach_tui.study.lesson_talk import _PANELS_OF
 from verbteach_tui.study.plain_study import StudyTalk
 
 SHOWN = "\n".join(SHOW)
@@ -98,17 +100,21 @@ def test_what_the_condition_hides_is_not_told(tmp_path: Path) -> None:
         for line in ("yes", "next"):
             talk.hear(line, "typed")
         hidden = (
-            {"mind", "verbs"}
+            {"seen", "mind", "verbs"}
             if begun_with(tmp_path, code) == "showing"
-            else {"look", "mind", "verbs"}
+            else {"look", "seen", "mind", "verbs"}
         )
-        for word in ("look", "mind", "verbs"):
+        for word in ("look", "seen", "mind", "verbs"):
             if word in hidden:
                 with pytest.raises(MisfitError):
                     talk.hear(word, "typed")
             else:
                 assert talk.hear(word, "typed")
         talk.close()
+
+
+def test_every_word_that_tells_of_a_panel_can_be_hidden() -> None:
+    assert {*LOCAL} - {"help", "steps", "shown"} == {*_PANELS_OF}
 
 
 def begun_with(folder: Path, code: str) -> str:

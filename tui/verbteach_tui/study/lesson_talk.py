@@ -9,7 +9,13 @@ from verbteach_tui.plain_talk import MisfitError, Talk
 from verbteach_tui.study import words
 from verbteach_tui.study.run import VIA, StudyRun
 
-_PANEL_OF = {"look": "scene", "mind": "mind", "verbs": "verbs"}
+_PANELS_OF = {
+    "look": frozenset({"scene"}),
+    "seen": frozenset({"scene", "mind"}),
+    "mind": frozenset({"mind"}),
+    "verbs": frozenset({"verbs"}),
+}
+"""What the words of the plain mode tell of."""
 
 
 class LessonTalk(Talk):
@@ -27,8 +33,7 @@ class LessonTalk(Talk):
 
     def hear(self, line: str, via: str) -> list[str]:
         """As ``Talk.hear``; panels that the condition hides are not told."""
-        panel = _PANEL_OF.get(line.strip())
-        if panel is not None and panel not in self._run.panels:
+        if not _PANELS_OF.get(line.strip(), frozenset()) <= self._run.panels:
             raise MisfitError("this is not shown here")
         return super().hear(line, via)
 
