@@ -77,7 +77,7 @@ async def started(page: Page, records: Path, sessions: int = 1, *, tour: bool = 
 
 def plain_hash(folder: Path) -> str:
     """The content of the same lesson in plain lines."""
-    words = ("teach", "--plain", "--scene", ROOM, "--sessions", folder, "--json")
+    words = ("teach", "--plain", "--scene", ROOM, "--policy", "rl", "--sessions", folder, "--json")
     document = here(*words, typed="\n".join([*SHOW, "quit"])).document
     return str(document["content_hash"])
 
