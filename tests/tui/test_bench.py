@@ -154,7 +154,7 @@ def test_bench_prints_every_figure_of_the_contract(monkeypatch: pytest.MonkeyPat
     for name in ("turn_ms", "planned_turn_ms", "plan_ms"):
         assert 0 < document[name]["p50"] <= document[name]["p95"]
     assert document["plan_ms"]["path"] in ("plain", "compiled")
-    for kind in ("moving", "turning"):
+    for kind in ("typing", "turning"):
         assert (
             0 < document["key_to_paint_ms"][kind]["p50"] <= document["key_to_paint_ms"][kind]["p95"]
         )

@@ -2,7 +2,7 @@
 
 `python -m verbteach_tui.bench.painting FOLDER TURNS` makes such a session,
 opens it in the app without a terminal, and prints the milliseconds of each key
-as JSON: keys that move about, and keys that take a turn back and do it again.
+as JSON: keys that type, and keys that take a turn back and do it again.
 """
 
 from __future__ import annotations
@@ -22,17 +22,17 @@ if TYPE_CHECKING:
 
 SIZE = (120, 40)
 ROUNDS = 12
-MOVING = ("pageup", "pagedown", "a", "backspace")
+TYPING = ("a", "b", "backspace", "backspace")
 TURNING = ("ctrl+z", "ctrl+y")
 PATIENCE = 2.0
 
 
 def key_to_paint(folder: Path, turns: int) -> dict[str, list[float]]:
-    """Milliseconds from a key to its paint, of ``moving`` and of ``turning`` keys."""
+    """Milliseconds from a key to its paint, of ``typing`` and of ``turning`` keys."""
     words = [sys.executable, "-m", "verbteach_tui.bench.painting", str(folder), str(turns)]
     done = subprocess.run(words, capture_output=True, text=True, check=False)
     if done.returncode != 0:
-        return {"moving": [], "turning": []}
+        return {"typing": [], "turning": []}
     found: dict[str, list[float]] = json.loads(done.stdout)
     return found
 
@@ -78,8 +78,8 @@ def _taught(folder: Path, turns: int) -> Path:
 
 async def _pressed(app: VerbteachApp, pilot: Pilot[None]) -> dict[str, list[float]]:
     painted = _Painted(app)
-    times: dict[str, list[float]] = {"moving": [], "turning": []}
-    for name, keys in (("moving", MOVING), ("turning", TURNING)):
+    times: dict[str, list[float]] = {"typing": [], "turning": []}
+    for name, keys in (("typing", TYPING), ("turning", TURNING)):
         for number in range(ROUNDS):
             for key in keys:
                 taken = await painted.after(key, name == "turning")
