@@ -6,7 +6,8 @@ The tables are the one place that says so: the checks, the content hash and
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import Any
 
 from verbteach_sessions.shapes import (
     ANSWER,
@@ -18,6 +19,7 @@ from verbteach_sessions.shapes import (
     TEXTS,
     Field,
     Shape,
+    fitting,
     list_of,
     mapping_of,
     of_shape,
@@ -343,6 +345,8 @@ _TYPES = (
 )
 
 EVENT_TYPES: Mapping[str, Shape] = {one.name: one for one in _TYPES}
+FITTING: Mapping[str, Callable[[Any], bool]] = {one.name: fitting(one) for one in _TYPES}
+"""For each type of event, whether its data is of its shape."""
 
 # Where and how a session ran is no part of what was said in it.
 OUTSIDE_CONTENT = frozenset({FAULT, RESUME, END})

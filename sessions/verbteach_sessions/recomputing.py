@@ -10,7 +10,7 @@ from verbteach.dialogue.codec import ActFormatError, teacher_act_from_json
 from verbteach.dialogue.setting import Settings, UnknownSceneError
 from verbteach.language.agreement import NoSecondReaderError
 from verbteach_sessions import events as kinds
-from verbteach_sessions.events import EVENT_TYPES
+from verbteach_sessions.events import EVENT_TYPES, FITTING
 from verbteach_sessions.fold import Fold, Reply
 from verbteach_sessions.lines import Event
 from verbteach_sessions.recording import after
@@ -112,8 +112,8 @@ def check_fields(event: Event) -> None:
     kind = EVENT_TYPES.get(event.type)
     if kind is None:
         raise EventError(f"there is no event type {event.type!r}")
-    problem = next(wrong_fields(kind, event.data), None)
-    if problem is not None:
+    if not FITTING[event.type](event.data):
+        problem = next(wrong_fields(kind, event.data), "")
         raise EventError(f"{event.type}{problem}")
     if event.type == kinds.TEACHER:
         try:

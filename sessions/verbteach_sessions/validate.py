@@ -13,7 +13,7 @@ from verbteach_sessions.checks import CHECKS
 from verbteach_sessions.corpus.personal import Scanner
 from verbteach_sessions.errors import DamagedLogError, LogError, NotASessionError, SessionError
 from verbteach_sessions.eventlog import LogReader
-from verbteach_sessions.events import EVENT_TYPES, HEADER
+from verbteach_sessions.events import EVENT_TYPES, FITTING, HEADER
 from verbteach_sessions.header import Header
 from verbteach_sessions.header_file import header_fits
 from verbteach_sessions.history import History, OrderError
@@ -123,9 +123,9 @@ class _Walk:
         if shape is None:
             yield Finding("schema", event.seq, f"there is no event type {event.type!r}")
             return
-        schema = [f"{event.type}{problem}" for problem in wrong_fields(shape, event.data)]
-        if schema:
-            yield from (Finding("schema", event.seq, problem) for problem in schema)
+        if not FITTING[event.type](event.data):
+            for problem in wrong_fields(shape, event.data):
+                yield Finding("schema", event.seq, f"{event.type}{problem}")
             return
         yield from self._wrong_here(event)
 

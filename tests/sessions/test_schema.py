@@ -13,7 +13,7 @@ import pytest
 from tests.sessions.records import read_events
 from tests.sessions.rooms import TAUGHT, recorded
 from tests.sessions.test_hostile import spoiled
-from verbteach_sessions.events import EVENT_TYPES
+from verbteach_sessions.events import EVENT_TYPES, FITTING
 from verbteach_sessions.schema import made_schema, shipped_schema
 from verbteach_sessions.shapes import MAX_DEPTH, depth, wrong_fields
 
@@ -54,7 +54,9 @@ def test_it_judges_spoiled_lines_as_the_code_does(
         for event, was in zip(spoiled(events, rng), events, strict=True):
             if event == was:
                 continue
-            wrong = any(wrong_fields(EVENT_TYPES[event["type"]], event["data"]))
+            shape = EVENT_TYPES[event["type"]]
+            wrong = any(wrong_fields(shape, event["data"]))
+            assert FITTING[event["type"]](event["data"]) != wrong, event
             assert judge.is_valid(event) != wrong, event
             refused += wrong
     assert refused > 50

@@ -359,3 +359,44 @@ def _wait_for_events(folder: Path, count: int) -> None:
                 return
         time.sleep(0.1)
     raise AssertionError("no such session came")
+
+
+def test_a_branch_is_made_beside_its_parent_and_goes_on(copy: Path) -> None:
+    before = (copy / LOG_NAME).read_bytes()
+    made = here("sessions", "branch", copy, "--at", 3, "--json").document
+    assert (copy / LOG_NAME).read_bytes() == before
+    path = Path(made["session"])
+    assert path.parent == copy.parent
+    assert made["parent"]["id"] == copy.name
+    assert made["events"] == made["parent"]["seq"] + 1 == 4
+    prefix = here("replay", copy, "--to", 3, "--json").document
+    whole = here("replay", path, "--verify", "--json")
+    assert whole.status == 0
+    assert whole.document["content_hash"] == prefix["content_hash"] == made["content_hash"]
+    on = here("teach", "--teacher", "-", "--resume", path, "--json", typed="skip\n")
+    assert on.status == 0, on
+    assert here("sessions", "validate", path, "--json").document["valid"]
+
+
+def test_there_is_no_branch_from_an_event_that_is_not_there(copy: Path) -> None:
+    ran = here("sessions", "branch", copy, "--at", 9999)
+    assert_refused(ran)
+    assert "9999" in ran.err
+    assert [one.name for one in copy.parent.iterdir()] == [copy.name]
+
+
+def test_replay_under_another_policy_prints_its_document(copy: Path) -> None:
+    same = here("replay", copy, "--policy", "she16", "--json")
+    assert same.status == 0, same
+    document = same.document
+    assert (document["verified"], document["unanswerable"]) == (True, 0)
+    assert document["first_difference"] is None
+    recorded = here("replay", copy, "--json").document
+    assert document["content_hash"] == recorded["content_hash"]
+    assert document["events"] == recorded["events"]
+    other = here("replay", copy, "--policy", "random", "--json")
+    assert other.status == 0
+    assert isinstance(other.document["unanswerable"], int)
+    assert "under random" in here("replay", copy, "--policy", "random").out
+    assert_refused(here("replay", copy, "--policy", "clairvoyant"))
+    assert_refused(here("replay", copy, "--policy", "split", "--verify"))
