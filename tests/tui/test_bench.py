@@ -6,6 +6,7 @@ import multiprocessing
 import sys
 import time
 from collections.abc import Iterator
+from multiprocessing.connection import Connection
 from pathlib import Path
 
 import pytest
@@ -104,6 +105,52 @@ def test_a_peer_that_breaks_is_reported_and_not_waited_for() -> None:
     measured = peers.measure("kairos", [("(define", "nonsense")] * 3, lambda n: None)
     assert measured["solved"] == 0
     assert measured["problem"]
+
+
+def sleeping() -> peers.Solve:
+    """A peer that takes its time over long questions."""
+
+    def solve(domain: str, problem: str) -> int | None:
+        time.sleep(30.0 if problem == "hard" else 0.0)
+        return 1
+
+    return solve
+
+
+def test_a_question_that_takes_too_long_is_broken_off_and_the_next_one_asked(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(peers, "_serve", serve_sleeping)
+    monkeypatch.setattr(peers, "LONGEST", 0.0)
+    told: list[int] = []
+    texts = [("", "easy"), ("", "hard"), ("", "easy")]
+    measured = peers.measure("kairos", texts, told.append)
+    assert (measured["questions"], measured["solved"], measured["timed_out"]) == (3, 2, 1)
+    assert measured["problem"] is None
+    assert told == [1, 2, 3]
+    assert multiprocessing.active_children() == []
+
+
+def serve_sleeping(name: str, connection: Connection) -> None:
+    connection.send((0.0, None, ""))
+    while True:
+        _, problem = connection.recv()
+        connection.send((1.0, sleeping()("", problem), ""))
+
+
+def test_a_peer_that_used_up_its_time_gets_no_further_question(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(peers, "BUDGET", -1.0)
+    measured = peers.measure("kairos", [("", "easy")] * 3, lambda n: None)
+    assert (measured["questions"], measured["solved"], measured["problem"]) == (0, 0, None)
+
+
+def test_a_peer_that_cannot_be_loaded_says_so() -> None:
+    if "pyperplan" in peers.here():
+        pytest.skip("pyperplan is installed")
+    measured = peers.measure("pyperplan", [("", "")] * 2, lambda n: None)
+    assert "ModuleNotFoundError" in measured["problem"]
 
 
 def test_the_counter_sees_every_plan(settings: Settings) -> None:

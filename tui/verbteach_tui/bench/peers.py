@@ -1,8 +1,9 @@
 """Other planners on the same questions, where they are installed.
 
 Each is asked in a process of its own, from PDDL text, and parses and grounds
-at every call: none of them offers to swap state and goal. One that takes too
-long is stopped, and so is one that cannot read the domain.
+at every call: none of them offers to swap state and goal. A question that
+takes too long is broken off and counted as such, a peer that has used up its
+time gets no more questions, and one that cannot read the domain neither.
 """
 
 from __future__ import annotations
@@ -12,25 +13,33 @@ import multiprocessing
 import os
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
 from importlib.util import find_spec
 from multiprocessing.connection import Connection
 from pathlib import Path
+from time import monotonic
 from typing import Any, NamedTuple
 
 from verbteach_tui.bench.clock import percentiles, timed
 from verbteach_tui.installation import installed
 
-LONGEST = 20.0  # seconds a question
+LONGEST = 5.0
+"""Seconds a question may take."""
+BUDGET = 60.0
+"""Seconds after which a peer gets no further question."""
+STARTING = 60.0
+"""Seconds a peer may take to be loaded."""
 Solve = Callable[[str, str], int | None]
 """From a domain's and a problem's text to the number of steps; ``None`` where unsolved."""
 
 
 class Answered(NamedTuple):
-    """One call: milliseconds, steps (``None`` where unsolved), and an error's words."""
+    """One call: milliseconds, steps (``None`` where unsolved), an error's words, broken off."""
 
     ms: float
     steps: int | None
     problem: str = ""
+    late: bool = False
 
 
 def kairos() -> Solve:
@@ -99,7 +108,7 @@ def here() -> tuple[str, ...]:
 def measure(
     name: str, texts: Sequence[tuple[str, str]], done: Callable[[int], None]
 ) -> dict[str, Any]:
-    """What one peer makes of the questions."""
+    """What one peer makes of the questions; ``questions`` are those it was asked."""
     answers = []
     for answer in _asked(name, texts):
         answers.append(answer)
@@ -109,33 +118,66 @@ def measure(
     return {
         **percentiles([answer.ms for answer in solved]),
         "version": installed(PEERS[name].package),
-        "questions": len(texts),
+        "questions": len(answers),
         "solved": len(solved),
+        "timed_out": sum(answer.late for answer in answers),
         "steps": percentiles([answer.steps for answer in solved if answer.steps is not None]),
         "problem": problems[0] if problems else None,
     }
 
 
 def _asked(name: str, texts: Sequence[tuple[str, str]]) -> Iterator[Answered]:
-    """The answers in order, up to the first question that breaks the peer."""
-    context = multiprocessing.get_context("spawn")
-    ours, theirs = context.Pipe()
-    process = context.Process(target=_serve, args=(name, theirs), daemon=True)
-    process.start()
-    theirs.close()
-    try:
+    """The answers in order, up to the first question that breaks the peer or out of its time."""
+    began = monotonic()
+    with ExitStack() as stack:
+        asking: _Asking | None = None
         for question in texts:
-            ours.send(question)
-            if not ours.poll(2 * LONGEST):
-                yield Answered(0.0, None, f"no answer within {2 * LONGEST:g} s")
+            if monotonic() - began > BUDGET:
                 return
-            answer = _received(ours)
+            asking = asking or stack.enter_context(_Asking(name))
+            answer = asking.ask(question)
             yield answer
             if answer.problem:
                 return
-    finally:
-        process.kill()
-        process.join()
+            if answer.late:
+                asking.stop()
+                asking = None
+
+
+class _Asking:
+    """A peer in a process of its own, which can be stopped whatever it is at."""
+
+    def __init__(self, name: str) -> None:
+        context = multiprocessing.get_context("spawn")
+        self._ours, theirs = context.Pipe()
+        self._process = context.Process(target=_serve, args=(name, theirs), daemon=True)
+        self._process.start()
+        theirs.close()
+        self._ready = self._received(STARTING)
+
+    def __enter__(self) -> _Asking:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.stop()
+
+    def ask(self, question: tuple[str, str]) -> Answered:
+        """Wait for the answer, not much longer than ``LONGEST``."""
+        if self._ready.problem or self._ready.late:
+            return self._ready._replace(problem=self._ready.problem or "it does not start")
+        self._ours.send(question)
+        return self._received(LONGEST + 1.0)
+
+    def stop(self) -> None:
+        """End the process."""
+        self._process.kill()
+        self._process.join()
+        self._ours.close()
+
+    def _received(self, seconds: float) -> Answered:
+        if not self._ours.poll(seconds):
+            return Answered(0.0, None, late=True)
+        return _received(self._ours)
 
 
 def _received(connection: Connection) -> Answered:
@@ -150,7 +192,12 @@ def _serve(name: str, connection: Connection) -> None:
     silence = os.open(os.devnull, os.O_WRONLY)
     os.dup2(silence, 1)  # some print all that they ground, past Python's own streams
     os.dup2(silence, 2)
-    solve = PEERS[name].make()
+    try:
+        solve = PEERS[name].make()
+    except Exception as error:  # installed for another interpreter, or half
+        connection.send((0.0, None, f"{type(error).__name__}: {error}"[:300]))
+        return
+    connection.send((0.0, None, ""))
     while True:
         try:
             domain, problem = connection.recv()
@@ -158,6 +205,7 @@ def _serve(name: str, connection: Connection) -> None:
             return
         try:
             ms, steps = timed(lambda: solve(domain, problem))  # noqa: B023
-            connection.send((ms, steps, ""))
+            late = steps is None and ms >= 1000 * LONGEST
+            connection.send((ms, steps, "", late))
         except BaseException as error:  # a peer's own errors, `sys.exit` among them
             connection.send((0.0, None, f"{type(error).__name__}: {error}"[:300]))
