@@ -150,8 +150,11 @@ class Page:
         await self.press(*text, "enter")
 
     async def reload(self) -> None:
-        """As the button of the browser does."""
+        """As the button of the browser does; answers once the old page is gone."""
+        await self.value("window.before = true")
+        self._painted = ""
         await self.ask("Page.reload")
+        await self.until("!window.before")
 
 
 @asynccontextmanager
