@@ -37,7 +37,7 @@ def exchanges(robot: Robot) -> tuple[Exchange, ...]:
     return robot.state.episode.asked
 
 
-PAIRS = {
+PAIRS: dict[str, tuple[Exchange, acts.RobotAct, acts.TeacherAct]] = {
     "two places": (
         Exchange(acts.EnvPredYnq(ON_TABLE), "yes"),
         acts.EnvPredYnq(IN_SINK),
