@@ -13,9 +13,9 @@ from tests.sessions.records import read_events
 from tests.sessions.rooms import BOIL, TAUGHT, recorded, settings
 from verbteach_sessions.events import EVENT_TYPES, SHAPES
 from verbteach_sessions.lines import GENESIS, MAX_LINE, Event, decode, encode
-from verbteach_sessions.upcasting import VERSION
 from verbteach_sessions.replay import verify
 from verbteach_sessions.shapes import Field
+from verbteach_sessions.upcasting import VERSION
 
 
 def page() -> str:
