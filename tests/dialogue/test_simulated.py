@@ -137,7 +137,7 @@ def test_a_rate_is_a_probability(rate: float) -> None:
 
 
 def test_what_is_meant_may_be_said_in_other_words_than_the_lesson() -> None:
-    """A lesson wants a thing stowed away: in the cupboard is part of it, if nothing else is."""
+    """A lesson that wants a thing stowed: in the cupboard is part of it, if nothing else is."""
     inside = Literal(Fluent("in", ("Bread_1", "Cupboard_1")))
     steps = ("moveto Cupboard_1", "open Cupboard_1", "moveto Bread_1", "grasp Bread_1")
     stored = ("moveto Cupboard_1", "put-in Bread_1 Cupboard_1")
