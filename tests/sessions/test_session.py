@@ -42,7 +42,7 @@ def test_a_new_session_is_on_the_disk_with_its_header(tmp_path: Path) -> None:
         assert session.path == tmp_path / session.header.id
         header, robot = read_events(session.path)
         shown = json.loads((session.path / HEADER_NAME).read_text())
-        assert shown == {"v": 1, **header["data"]}
+        assert shown == {"v": 2, **header["data"]}
         assert header["data"]["terminal"] == [120, 40]
         assert robot["data"]["texts"] == list(session.turn.texts) == list(session.said)
         assert session.turn.phase is Phase.COMMAND
@@ -264,7 +264,9 @@ def test_asking_why_changes_nothing_and_is_recorded(tmp_path: Path) -> None:
         assert session.said == state.turn.texts
         assert session.robot.state is state
         assert kinds(session)[-2:] == ["why", "repeat"]
-        assert first(read_events(session.path), "why")["data"]["texts"] == list(session.robot.explain())
+        assert first(read_events(session.path), "why")["data"]["texts"] == list(
+            session.robot.explain()
+        )
 
 
 def test_the_transcript_holds_what_still_holds(tmp_path: Path) -> None:
