@@ -22,9 +22,7 @@ def full_screen(
     keymap = read_keymap(keys_file())
     options = app_options(beginning, opening or OpenHome(), theme)
     take_part = None if in_browser() else partial(_take_part, beginning, theme)
-    return run_app(
-        replace(options, keymap=keymap, toured=_toured(beginning), take_part=take_part)
-    )
+    return run_app(replace(options, keymap=keymap, toured=_toured(beginning), take_part=take_part))
 
 
 def _take_part(beginning: Beginning, theme: str | None, file: Path, code: str | None) -> int:
