@@ -17,11 +17,18 @@ from verbteach_tui.commands.tree import build
 OPTIONS: Mapping[str, str] = {
     "teach": "--scene --teacher --lessons --plain --noise --noise-reading --policy --from"
     " --participant --study --seed --sessions --resume --json",
-    "replay": "--verify --to --speed --plain --json",
+    "replay": "--verify --to --speed --plain --policy --json",
+    "train": "--data --from --noise --learner --episodes --seed --out --json",
+    "reproduce": "--noise-reading --grounding --data --test-data --runs --seed --jobs --cluster"
+    " --resume --out --json",
     "sessions list": "--json",
     "sessions show": "--json",
     "sessions validate": "--json",
     "sessions export": "--to --out --force --splits --json",
+    "sessions branch": "--at --sessions --json",
+    "sessions fit": "--out --check --json",
+    "sessions example": "--out --jobs --seed --json",
+    "sessions evaluate-policy": "--policy --weights --minimum --seed --json",
     "sessions stats": "--json",
     "sessions scan": "--names --redact --keep --json",
     "sessions withdraw": "--sessions --yes --json",
