@@ -17,7 +17,11 @@ from verbteach_sessions.session import Session
 from verbteach_sessions.session_acts import Quit
 from verbteach_sessions.validate import validate
 
-ANSWERS: dict[str, int | str | None] = {"effort": 35, "comment": 'nice\n"robot" \x1b[31m', "frustration": None}
+ANSWERS: dict[str, int | str | None] = {
+    "effort": 35,
+    "comment": 'nice\n"robot" \x1b[31m',
+    "frustration": None,
+}
 
 
 def held(folder: Path, ended: bool = True) -> Path:
