@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import os
 import time
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,9 @@ from verbteach_tui.views.rows import plain
 from verbteach_tui.views.visible import visible
 from verbteach_tui.widgets.command_input import CommandInput
 from verbteach_tui.widgets.dialogue_view import DialogueView
+
+MANY_KEYS = int(os.environ.get("VERBTEACH_RANDOM_KEYS", "1500"))
+"""How many random keys the slow test presses; 10,000 take a quarter of an hour."""
 
 
 async def test_nasty_commands_print_as_themselves(tmp_path: Path) -> None:
@@ -61,7 +65,7 @@ OTHERS = [
 
 
 @pytest.mark.parametrize(
-    ("seed", "count"), [(1, 300), pytest.param(2, 10_000, marks=pytest.mark.slow)]
+    ("seed", "count"), [(1, 300), pytest.param(2, MANY_KEYS, marks=pytest.mark.slow)]
 )
 async def test_hundreds_of_random_keys_never_crash_it_and_never_spoil_the_record(
     tmp_path: Path, seed: int, count: int
@@ -233,8 +237,11 @@ async def test_why_and_repeat_are_answered_at_once(tmp_path: Path) -> None:
         asked = here.teach.snapshot.lines[-1].text
         await here.key("r")
         assert here.teach.snapshot.lines[-1].text == asked
+        before = len(here.teach.snapshot.lines)
         await here.key("w")
-        assert "because" in here.teach.snapshot.lines[-1].text.lower()
+        why = [line.text for line in here.teach.snapshot.lines[before:]]
+        assert any("goal" in text for text in why)
+        assert len(why) >= 2
 
 
 async def test_quitting_records_that_the_person_left(tmp_path: Path) -> None:
