@@ -87,6 +87,9 @@ class _Past:
 
     def _passed(self, followed: Followed) -> None:
         self.checkpoints.restore(self.fold, followed)
+        fold = self.fold
+        if fold.header.method.second_opinion:  # refuse now, not at the next command
+            fold.header.method.settings(fold.settings)(fold.robot.state.scene)
         self._last = self.fold.history.last
 
     def take(self, event: Event) -> None:

@@ -30,7 +30,7 @@ from verbteach.dialogue.setting import Setting
 from verbteach_sessions import checkpoints, fold
 from verbteach_sessions.checkpoints import CHECKPOINT_NAME
 from verbteach_sessions.content import ContentHash
-from verbteach_sessions.errors import CannotUndoError, DamagedLogError
+from verbteach_sessions.errors import CannotUndoError, LogError
 from verbteach_sessions.eventlog import LOG_NAME, LogReader
 from verbteach_sessions.header import Machine
 from verbteach_sessions.history import Node
@@ -261,7 +261,7 @@ def test_a_log_that_was_changed_is_found_in_spite_of_its_checkpoints(tmp_path: P
     for place in range(200, len(whole), len(whole) // 9):
         changed = whole[:place] + bytes([whole[place] ^ 1]) + whole[place + 1 :]
         (path / LOG_NAME).write_bytes(changed)
-        with pytest.raises(DamagedLogError):
+        with pytest.raises(LogError):
             resumed(path)
     (path / LOG_NAME).write_bytes(whole)
     resumed(path).close()

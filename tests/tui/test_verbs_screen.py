@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tests.tui.room import NARROW, SETTINGS, Room, room, said
+from tests.tui.room import BOIL_THE_WATER, NARROW, SETTINGS, Room, room, said
 from verbteach.verbs.space import FrameKey
 from verbteach_sessions.replay import verify
 from verbteach_tui.options import OpenSession
@@ -14,11 +14,6 @@ from verbteach_tui.views.rows import plain
 from verbteach_tui.widgets.hypothesis_view import HypothesisView
 from verbteach_tui.widgets.node_view import NodeView
 
-BOIL = (
-    "command: boil the water", "do: moveto Kettle_1", "do: grasp Kettle_1", "do: moveto Burner_1",
-    "do: set-on Kettle_1 Burner_1", "do: moveto StoveKnob_1", "do: turn StoveKnob_1", "done",
-    "good",
-)  # fmt: skip
 FRAME = FrameKey("boil", 1)
 
 
@@ -33,7 +28,7 @@ def node(here: Room) -> str:
 
 
 async def test_a_condition_is_struck_out_by_key_and_the_graph_follows(tmp_path: Path) -> None:
-    path = said(tmp_path, *BOIL)
+    path = said(tmp_path, *BOIL_THE_WATER)
     async with room(tmp_path, OpenSession(path)) as here:
         before = hypotheses(here)
         await here.key("f5")
@@ -61,7 +56,7 @@ def conditions(here: Room) -> tuple[str, ...]:
 
 
 async def test_a_condition_is_confirmed_by_mouse_and_key(tmp_path: Path) -> None:
-    path = said(tmp_path, *BOIL)
+    path = said(tmp_path, *BOIL_THE_WATER)
     async with room(tmp_path, OpenSession(path), size=NARROW) as here:
         await here.key("f5")
         view = here.app.screen.query_one(HypothesisView)
@@ -77,7 +72,7 @@ async def test_a_condition_is_confirmed_by_mouse_and_key(tmp_path: Path) -> None
 
 
 async def test_in_the_middle_of_a_command_nothing_is_corrected(tmp_path: Path) -> None:
-    path = said(tmp_path, *BOIL, "command: wash the mug")
+    path = said(tmp_path, *BOIL_THE_WATER, "command: wash the mug")
     async with room(tmp_path, OpenSession(path)) as here:
         before = hypotheses(here)
         await here.key("f5", "x")

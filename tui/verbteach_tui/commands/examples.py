@@ -80,7 +80,6 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
     "verbteach sessions fit": (
         "verbteach sessions fit my-sessions --out people.json",
         "verbteach sessions fit my-sessions --out people.json --check --json",
-        "verbteach teach --teacher fitted:people.json --lessons 20",
     ),
     "verbteach sessions evaluate-policy": (
         "verbteach sessions evaluate-policy my-sessions --policy split",
