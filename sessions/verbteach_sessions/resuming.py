@@ -11,6 +11,7 @@ from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
+from verbteach.collecting import without_collecting
 from verbteach.dialogue.setting import Settings
 from verbteach_sessions import events as kinds
 from verbteach_sessions.chain import BrokenChainError, Followed
@@ -41,7 +42,8 @@ def reopen(
     Raises the errors of reading a log, ``SessionInUseError``, ``StorageError``
     ``UnknownSceneError`` and ``NoSecondReaderError``.
     """
-    past, log, warnings = _read(path, settings, machine)
+    with without_collecting():
+        past, log, warnings = _read(path, settings, machine)
     try:
         opened = clock() - past.last.at
         now = partial(_session_time, clock, opened)

@@ -6,13 +6,12 @@ any process.
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
+from verbteach.collecting import without_collecting
 from verbteach.experiments.groundings import GROUNDERS, Grounder, shown
 from verbteach.experiments.judging import Judge, Score
 from verbteach.experiments.she16 import Variant
@@ -116,14 +115,14 @@ Development: TypeAlias = dict[str, list[Judged]]
 def learn_all(job: LearnJob) -> list[Lesson]:
     """The lessons of some instances."""
     site, instances = job
-    with _uncollected():
+    with without_collecting():
         return [_lesson(site, instance) for instance in instances]
 
 
 def develop_all(job: DevelopJob) -> Development:
     """Judge what the lessons' votes for some instances' commands come to."""
     site, instances, lessons = job
-    with _uncollected():
+    with without_collecting():
         knowledge, experience = _remembered(lessons)
         return {i.id: _judged(site, i, knowledge, experience) for i in instances}
 
@@ -132,7 +131,7 @@ def test_all(job: TestJob) -> dict[str, list[Trial]]:
     """Carry out some instances' commands, by each criterion: goals are gathered once for all."""
     site, instances, lessons, criteria = job
     found: dict[str, list[Trial]] = {name: [] for name in criteria}
-    with _uncollected():
+    with without_collecting():
         knowledge, experience = _remembered(lessons)
         for instance in instances:
             state, gathered = _gathered(site, instance, knowledge, experience)
@@ -140,18 +139,6 @@ def test_all(job: TestJob) -> dict[str, list[Trial]]:
             for name, criterion in criteria.items():
                 found[name].append(test.trial(criterion))
     return found
-
-
-@contextmanager
-def _uncollected() -> Iterator[None]:
-    """Without searching for rings of garbage: millions of small values are made, none in a ring."""
-    collecting = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if collecting:
-            gc.enable()
 
 
 def _remembered(lessons: Sequence[Lesson]) -> tuple[VerbKnowledge, tuple[Demonstration, ...]]:
