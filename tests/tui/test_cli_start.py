@@ -6,6 +6,7 @@ import os
 import shlex
 import subprocess
 import sys
+from pathlib import Path
 from unittest.mock import patch
 
 import pytest
@@ -112,6 +113,19 @@ def test_an_interrupt_is_not_a_bug() -> None:
         raise KeyboardInterrupt
 
     assert concluded(interrupted) == INTERRUPTED
+
+
+def test_an_interrupt_in_code_made_from_text_ends_by_its_status_too(tmp_path: Path) -> None:
+    """The interpreter would end such a process by the signal; only as `python -m` does it show."""
+    (tmp_path / "interrupted.py").write_text(
+        "import signal, sys\n"
+        "from verbteach_tui.conclusion import concluded\n"
+        "raising = 'signal.raise_signal(signal.SIGINT)'\n"
+        "sys.exit(concluded(lambda: exec(raising, {'signal': signal})))\n",
+        encoding="utf-8",
+    )
+    done = subprocess.run([sys.executable, "-m", "interrupted"], cwd=tmp_path, check=False)
+    assert done.returncode == INTERRUPTED
 
 
 @pytest.mark.parametrize("name", EXAMPLES)

@@ -25,6 +25,23 @@ class WrongUseError(Exception):
 
 def concluded(command: Callable[[], int | None], name: str = "verbteach") -> int:
     """Run ``command`` and answer the exit status; say on standard error what was wrong, if so."""
+    status = _status(command, name)
+    if status == INTERRUPTED:
+        _forget_the_interrupt()
+    return status
+
+
+def _forget_the_interrupt() -> None:
+    """Let this process end with its status rather than by the signal.
+
+    A Ctrl-C that lands in code compiled from text (a dataclass being made by an import) leaves
+    a mark in the interpreter, handled or not, which then ends itself by SIGINT whatever status
+    it was given. Running any text takes the mark away.
+    """
+    exec("")
+
+
+def _status(command: Callable[[], int | None], name: str) -> int:
     try:
         return command() or DONE
     except KeyboardInterrupt:
