@@ -41,7 +41,7 @@ YES, NO, UNSURE = Reply(Label.YES), Reply(Label.NO), Reply(Label.UNSURE)
 
 
 def example(name: str, goal: Goal) -> Example:
-    change, binding = lift(goal, ("b1", "t2"), TOY.setting)
+    change, binding = lift(goal, ("b1", "t2"), TOY.surroundings)
     return Example(Demonstration(name, "put", ("box", "table"), ("b1", "t2")), change, binding)
 
 
@@ -63,7 +63,7 @@ def command(
     objects = (("b1", "b2"), ("t1", "t2"))
     joint = tuple(product(*objects))
     source = PoolSource(
-        Analogies(Said("put", ("box", "table")), joint, TOY.setting), known, PoolParameters()
+        Analogies(Said("put", ("box", "table")), joint, TOY.surroundings), known, PoolParameters()
     )
     grounding = GroundingBelief.of({"box": {"b1": 1.0, "b2": 1.0}, "table": {"t1": 1.0, "t2": 1.0}})
     belief = belief or Belief.certain(frozenset({on("b1", "t1"), on("b2", "t1")}))

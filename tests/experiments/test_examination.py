@@ -32,7 +32,7 @@ def memory(rooms: set[str]) -> Memory:
     examples = []
     for one in here.instances:
         if one.environment in rooms:
-            change, binding = lift(_changed(one), one.grounding, here.room(one).setting)
+            change, binding = lift(_changed(one), one.grounding, here.room(one).surroundings)
             shown = Demonstration(one.id, one.verb, one.phrases, one.grounding)
             examples.append(Example(shown, change, binding))
     return Memory.keeping(examples)

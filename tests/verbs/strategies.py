@@ -37,7 +37,7 @@ def walks(draw: st.DrawFn, longest: int = 6) -> tuple[Action, ...]:
 def taught(draw: st.DrawFn) -> Taught:
     """A demonstration with up to two noun phrases."""
     actions = draw(walks())
-    things = st.sampled_from(sorted(TOY.setting.affordances))
+    things = st.sampled_from(sorted(TOY.surroundings.affordances))
     grounding = tuple(draw(st.lists(things, min_size=1, max_size=2)))
     who = Demonstration(
         draw(st.sampled_from(["a", "b", "c", "d"])),
@@ -49,7 +49,7 @@ def taught(draw: st.DrawFn) -> Taught:
 
 
 def learner(parameters: LearningParameters | None = None) -> Learner:
-    return Learner(PLANNER, TOY.setting, parameters or LearningParameters())
+    return Learner(PLANNER, TOY.surroundings, parameters or LearningParameters())
 
 
 @st.composite

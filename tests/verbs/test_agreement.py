@@ -32,7 +32,7 @@ TOY = Toy((), ("Table_1",), LAMPS)
 
 def wanted(score: float, *lamps: str) -> GoalCandidate:
     goal = frozenset(Literal(lit(lamp)) for lamp in lamps)
-    situation = Situation(FrameKey("light", 0), (), certain(()), frozenset(), TOY.setting)
+    situation = Situation(FrameKey("light", 0), (), certain(()), frozenset(), TOY.surroundings)
     return GoalCandidate(goal, score, score, (), (), 0.0, Evidence(goal, (), situation))
 
 

@@ -40,7 +40,7 @@ def space_of(shown: Shown, parameters: LearningParameters | None = None) -> Hypo
 
 def test_change_has_what_came_and_what_went_without_static_predicates() -> None:
     heavy = Fluent("heavy", ("Box_1",))
-    change = StateChange.between(START, SHOWN.end | {heavy}, TOY.setting.static)
+    change = StateChange.between(START, SHOWN.end | {heavy}, TOY.surroundings.static)
     assert change.added == {on("Box_1", "Table_2")}
     assert change.removed == {on("Box_1", "Table_1")}
     assert len(change) == 2
@@ -57,19 +57,21 @@ def test_the_change_turns_the_start_into_the_end(actions: tuple[Action, ...]) ->
 def test_object_sets_choose_the_things_a_goal_may_speak_about() -> None:
     actions = (*PUT, Action("switch", ("Lamp_1",)))
     end = TOY.run(START, actions) | {on("Box_2", "Table_2")}
-    chosen = {kind: things_of(kind, ("Box_1",), actions, end, TOY.setting) for kind in ObjectSet}
+    chosen = {
+        kind: things_of(kind, ("Box_1",), actions, end, TOY.surroundings) for kind in ObjectSet
+    }
     assert chosen[ObjectSet.ARGUMENT_ONLY] == {"Box_1"}
     assert chosen[ObjectSet.ARGUMENT_RELATED] == {"Box_1", "Table_2"}
     assert chosen[ObjectSet.MANIPULATED] == {"Box_1", "Table_2", "Lamp_1"}
-    assert chosen[ObjectSet.ALL] == set(TOY.setting.affordances)
+    assert chosen[ObjectSet.ALL] == set(TOY.surroundings.affordances)
 
 
 def test_restriction_asks_for_any_or_every_thing_and_ignores_constants() -> None:
     goal = frozenset({Literal(on("Box_1", "Table_2")), Literal(held("Box_1"), False)})
     box = frozenset({"Box_1"})
-    assert restrict(goal, box, TOY.setting, Touch.ANY) == goal
-    assert restrict(goal, box, TOY.setting, Touch.EVERY) == {Literal(held("Box_1"), False)}
-    assert not restrict(goal, frozenset({"Lamp_1"}), TOY.setting, Touch.ANY)
+    assert restrict(goal, box, TOY.surroundings, Touch.ANY) == goal
+    assert restrict(goal, box, TOY.surroundings, Touch.EVERY) == {Literal(held("Box_1"), False)}
+    assert not restrict(goal, frozenset({"Lamp_1"}), TOY.surroundings, Touch.ANY)
 
 
 def test_reasons_for_no_hypothesis() -> None:
@@ -193,7 +195,7 @@ def test_striking_leaves_the_fluent_out_everywhere(
     space: HypothesisSpace, data: st.DataObject
 ) -> None:
     literal = data.draw(st.sampled_from(space.base))
-    after = struck(space, literal, TOY.setting)
+    after = struck(space, literal, TOY.surroundings)
     if after is None:
         assert len(space.base) == 1
     else:
@@ -208,12 +210,12 @@ def test_striking_leaves_the_fluent_out_everywhere(
 @given(spaces(), st.data())
 def test_insisting_keeps_the_fluent_everywhere(space: HypothesisSpace, data: st.DataObject) -> None:
     literal = data.draw(st.sampled_from(space.base))
-    after = insisted(space, literal, TOY.setting)
+    after = insisted(space, literal, TOY.surroundings)
     assert after.base == space.base
     goals = ground_goals(after)
     assert set(goals) == {goal for goal in ground_goals(space) if literal in goal}
     with pytest.raises(ValueError, match="not in the goal"):
-        insisted(space, Literal(lit("Lamp_9")), TOY.setting)
+        insisted(space, Literal(lit("Lamp_9")), TOY.surroundings)
 
 
 def test_learning_that_fails_leaves_knowledge_as_it_was() -> None:
@@ -230,5 +232,5 @@ def test_a_larger_world_gives_the_same_space(actions: tuple[Action, ...]) -> Non
     larger = Toy(TOY.boxes, TOY.tables, (*TOY.lamps, "Lamp_2"))
     shown = Shown(START, actions, TOY.run(START, actions))
     here = derive(WHO, shown, learner())
-    own = learner().__class__(NaivePlanner(larger), larger.setting)
+    own = learner().__class__(NaivePlanner(larger), larger.surroundings)
     assert derive(WHO, shown, own) == here

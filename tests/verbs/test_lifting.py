@@ -7,12 +7,12 @@ from hypothesis import strategies as st
 
 from tests.verbs.toy import on
 from verbteach.verbs.lifting import affordances_of, bind, lift, rename, terms_of
-from verbteach.verbs.setting import Setting
+from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.fluents import Fluent, Goal, Literal
 
 THINGS = tuple(f"{kind}_{i}" for kind in ("Cup", "Tray") for i in range(1, 4))
 MARKS = {o: frozenset({"graspable", o.partition("_")[0].lower()}) for o in THINGS}
-SETTING = Setting(affordances=MARKS)
+SETTING = Surroundings(affordances=MARKS)
 
 words = st.sampled_from((*THINGS, "Robot", "Water"))
 literals = st.builds(
@@ -87,7 +87,7 @@ def test_arguments_become_variables_and_constants_stay() -> None:
 def test_many_interchangeable_things_are_lifted_in_reasonable_time() -> None:
     things = {f"Cup_{i}": frozenset({"cup"}) for i in range(9)}
     goal = frozenset(Literal(Fluent("full", (o,))) for o in things)
-    lifted, binding = lift(goal, (), Setting(affordances=things))
+    lifted, binding = lift(goal, (), Surroundings(affordances=things))
     assert len(lifted) == len(binding) == 9
 
 

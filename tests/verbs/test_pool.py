@@ -36,7 +36,7 @@ OFFERED: tuple[Goal, ...] = (
 
 def example(name: str, verb: str, phrases: tuple[str, ...], objects: tuple[str, ...], goal: Goal
             ) -> Example:  # fmt: skip
-    change, binding = lift(goal, objects, TOY.setting)
+    change, binding = lift(goal, objects, TOY.surroundings)
     return Example(Demonstration(name, verb, phrases, objects), change, binding)
 
 
@@ -50,7 +50,9 @@ def source(
     known: Memory, said: Said = LIGHT, joint: tuple[tuple[str, ...], ...] = (("l1",), ("l2",)),
     parameters: PoolParameters | None = None,
 ) -> PoolSource:  # fmt: skip
-    return PoolSource(Analogies(said, joint, TOY.setting), known, parameters or PoolParameters())
+    return PoolSource(
+        Analogies(said, joint, TOY.surroundings), known, parameters or PoolParameters()
+    )
 
 
 def pool(known: Memory | None = None, state: State = frozenset()) -> GoalPool:
@@ -66,12 +68,12 @@ def distinct(found: GoalPool) -> dict[Goal, float]:
 
 def test_the_candidates_are_those_that_the_evidence_of_one_frame_gives() -> None:
     spaces = [
-        lifted_space(Demonstration(f"d{i}", "light", ("lamp",), ("l1",)), (goal,), TOY.setting)
+        lifted_space(Demonstration(f"d{i}", "light", ("lamp",), ("l1",)), (goal,), TOY.surroundings)
         for i, goal in enumerate(OFFERED)
     ]
     knowledge = VerbKnowledge.merged(spaces)
     situation = Situation(
-        FrameKey("light", 1), ("lamp",), uniform((("l1", "l2"),)), frozenset(), TOY.setting
+        FrameKey("light", 1), ("lamp",), uniform((("l1", "l2"),)), frozenset(), TOY.surroundings
     )
     slow = {one.goal for one in evidence(knowledge, situation, ApplicationParameters())}
     assert set(distinct(pool(Memory.of(knowledge)))) == slow
@@ -161,7 +163,7 @@ def test_other_verbs_speak_but_less() -> None:
 
 
 def test_the_cache_of_bindings_leaves_no_trace_in_a_pool() -> None:
-    analogies = Analogies(Said("light", ("lamp",)), (("l1",), ("l2",)), TOY.setting)
+    analogies = Analogies(Said("light", ("lamp",)), (("l1",), ("l2",)), TOY.surroundings)
     backwards = Memory(tuple(reversed(memory().examples)))
     PoolSource(analogies, backwards, PoolParameters())
     warm = PoolSource(analogies, memory(), PoolParameters()).pool(frozenset(), np.full(2, 0.5))

@@ -30,7 +30,7 @@ def judged(reward: float, **features: float) -> Judged:
 def situations(found: list[HypothesisSpace]) -> Situation:
     key = found[0].demonstration.frame
     belief = uniform((TOY.boxes,) * key.arity)
-    return Situation(key, ("the box",) * key.arity, belief, TOY.start, TOY.setting)
+    return Situation(key, ("the box",) * key.arity, belief, TOY.start, TOY.surroundings)
 
 
 @FEW

@@ -49,13 +49,15 @@ LIGHT = (Action("switch", ("Lamp_1",)),)
 def taught(name: str, actions: tuple[Action, ...], grounding: tuple[str, ...]) -> HypothesisSpace:
     who = Demonstration(name, "tidy", ("it",) * len(grounding), grounding)
     shown = Shown(OLD.start, actions, OLD.run(OLD.start, actions))
-    space = derive(who, shown, replace(learner(), planner=NaivePlanner(OLD), setting=OLD.setting))
+    space = derive(
+        who, shown, replace(learner(), planner=NaivePlanner(OLD), surroundings=OLD.surroundings)
+    )
     assert isinstance(space, HypothesisSpace)
     return space
 
 
 def in_new_room(belief: GroundingBelief, arity: int = 1) -> Situation:
-    return Situation(FrameKey("tidy", arity), ("it",) * arity, belief, NEW.start, NEW.setting)
+    return Situation(FrameKey("tidy", arity), ("it",) * arity, belief, NEW.start, NEW.surroundings)
 
 
 BOTH = VerbKnowledge.merged([taught("a", MOVE, ("Box_1", "Table_2"))])
@@ -194,7 +196,7 @@ def test_the_choice_does_not_hang_on_the_order_of_learning(
     shuffled = data.draw(st.permutations(found))
     key = found[0].demonstration.frame
     belief = uniform((tuple(sorted(OLD.boxes)),) * key.arity)
-    situation = Situation(key, ("it",) * key.arity, belief, OLD.start, OLD.setting)
+    situation = Situation(key, ("it",) * key.arity, belief, OLD.start, OLD.surroundings)
     for criterion in PLAIN_CRITERIA.values():
         parameters = SelectionParameters(criterion)
         one = candidates(VerbKnowledge.merged(found), situation, parameters)

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from verbteach.verbs.setting import Setting
+from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.fluents import Fluent, Goal, State, satisfied
 from verbteach.world.plan import Action, FailureReason, Plan, PlanFailure
 
@@ -35,10 +35,10 @@ class Toy:
     lamps: tuple[str, ...]
 
     @cached_property
-    def setting(self) -> Setting:
+    def surroundings(self) -> Surroundings:
         kinds = {"box": self.boxes, "table": self.tables, "lamp": self.lamps}
         marks = {o: frozenset({kind, "thing"}) for kind, found in kinds.items() for o in found}
-        return Setting(frozenset({"heavy"}), marks)
+        return Surroundings(frozenset({"heavy"}), marks)
 
     @property
     def start(self) -> State:

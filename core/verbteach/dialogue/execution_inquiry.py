@@ -194,7 +194,7 @@ class ExecutionInquiry:
 
     def _relevance(self) -> dict[str, float]:
         """How likely what is meant speaks of a thing: its likeliest literal's probability."""
-        things = self.source.analogies.setting.affordances
+        things = self.source.analogies.surroundings.affordances
         wanted: dict[str, float] = {}
         for literal, chance in zip(self.pool.literals, self.pool.marginals.tolist(), strict=True):
             for word in literal.fluent.args:

@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 from verbteach.language.agreement import SecondReader
 from verbteach.language.lexicon import Lexicon
-from verbteach.verbs.setting import Setting as Surroundings
+from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.plan import Planner
 from verbteach.world.scene import Scene
 from verbteach.world.task import Task

@@ -110,7 +110,7 @@ class Bench:
         key = (instance.id, joint)
         if key not in self._analogies:
             said = Said(instance.verb, instance.phrases)
-            self._analogies[key] = Analogies(said, joint, self.room(instance).setting)
+            self._analogies[key] = Analogies(said, joint, self.room(instance).surroundings)
         return self._analogies[key]
 
     def demonstration(self, instance: Instance, sight: Sight) -> LearningInquiry:

@@ -358,8 +358,8 @@ class _Run:
         return acquired
 
     def _example(self, instance: Instance, state: LearningInquiry) -> Example:
-        setting = self.bench.room(instance).setting
-        change, binding = lift(state.goal, state.objects, setting)
+        surroundings = self.bench.room(instance).surroundings
+        change, binding = lift(state.goal, state.objects, surroundings)
         shown = Demonstration(instance.id, instance.verb, instance.phrases, state.objects)
         return Example(shown, change, binding)
 

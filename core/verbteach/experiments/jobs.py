@@ -153,7 +153,7 @@ def _lesson(site: Site, instance: Instance) -> Lesson:
     if variant.reenacts:
         start, end = room.reenact(start, instance.actions)
     demonstration = _demonstration(site.setup, instance, start, end)
-    learner = Learner(room.planner, room.setting, variant.learning)
+    learner = Learner(room.planner, room.surroundings, variant.learning)
     return Lesson(
         demonstration, derive(demonstration, Shown(start, instance.actions, end), learner)
     )
@@ -178,7 +178,9 @@ def _gathered(
     room = site.room(instance)
     state = site.sight.met(instance, room).believed()
     belief = site.setup.ground(instance, experience)
-    situation = Situation(FrameKey(*instance.frame), instance.phrases, belief, state, room.setting)
+    situation = Situation(
+        FrameKey(*instance.frame), instance.phrases, belief, state, room.surroundings
+    )
     return state, evidence(knowledge, situation, site.setup.variant.selection.application)
 
 

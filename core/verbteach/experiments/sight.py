@@ -68,7 +68,7 @@ class Sight:
 
     def _noise(self, room: Workroom) -> NoiseModel:
         """What things afford is known: it is not sensed."""
-        return self.noise.with_spreads(dict.fromkeys(sorted(room.setting.static), 0.0))
+        return self.noise.with_spreads(dict.fromkeys(sorted(room.surroundings.static), 0.0))
 
     def _possible(self, instance: Instance, room: Workroom, *states: State) -> frozenset[Fluent]:
         if not self.noise.phantoms:

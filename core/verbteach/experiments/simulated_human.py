@@ -129,7 +129,7 @@ class SimulatedHuman:
     def score(self, actions: Sequence[Action]) -> float:
         """The SJI of what the actions change in the true world, up to the first that fails."""
         end = self.room.outcome(self.instance.start, actions)
-        static = self.room.setting.static
+        static = self.room.surroundings.static
         return sji(self.change, StateChange.between(self.instance.start, end, static))
 
     def right(self, actions: Sequence[Action]) -> bool:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from verbteach.verbs.change import StateChange
-from verbteach.verbs.setting import Setting
+from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.fluents import Fluent, State
 from verbteach.world.plan import Action, Planner
 from verbteach.world.task import Task
@@ -19,12 +19,12 @@ class Workroom:
 
     task: Task
     planner: Planner
-    setting: Setting
+    surroundings: Surroundings
 
     @classmethod
     def of(cls, task: Task, planner: Planner) -> Workroom:
         """Furnish the room of a task."""
-        return cls(task, planner, Setting.of_task(task))
+        return cls(task, planner, Surroundings.of_task(task))
 
     def outcome(self, state: State, actions: Sequence[Action]) -> State:
         """Where the actions lead, up to the first that cannot be done."""

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from verbteach.verbs.examples import Example, Memory, Pattern
 from verbteach.verbs.lifting import bind
 from verbteach.verbs.resemblance import Kernel, Said, likeness, overlap
-from verbteach.verbs.setting import Setting
 from verbteach.verbs.space import Demonstration
+from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.fluents import Literal
 
 Ints = NDArray[np.int64]
@@ -64,10 +64,12 @@ class Analogies:
     Literals are numbered in the order they turn up; nothing may hang on that order.
     """
 
-    def __init__(self, said: Said, groundings: Sequence[tuple[str, ...]], setting: Setting) -> None:
+    def __init__(
+        self, said: Said, groundings: Sequence[tuple[str, ...]], surroundings: Surroundings
+    ) -> None:
         self.said = said
         self.groundings = tuple(groundings)
-        self.setting = setting
+        self.surroundings = surroundings
         self.literals: list[Literal] = []
         self._number: dict[Literal, int] = {}
         self._transfers: dict[Pattern, Transfer] = {}
@@ -108,7 +110,7 @@ class Analogies:
         return self._transfers[pattern]
 
     def _bound(self, example: Example) -> Transfer:
-        known = self.setting.affordances
+        known = self.surroundings.affordances
         literals: list[int] = []
         rows: list[int] = []
         kept: list[tuple[int, float, float, float]] = []
@@ -122,7 +124,9 @@ class Analogies:
                     literals += numbers
                     rows += [len(kept)] * len(numbers)
                     same = self._same_objects(objects, example.demonstration)
-                    kinds = _same_kinds(arguments, example.demonstration.grounding, self.setting)
+                    kinds = _same_kinds(
+                        arguments, example.demonstration.grounding, self.surroundings
+                    )
                     kept.append((index, 1.0 / len(ways), same, kinds))
         return _transfer(literals, rows, kept)
 
@@ -177,7 +181,7 @@ def _arguments(objects: tuple[str, ...], shown: tuple[str, ...]) -> list[tuple[s
     return found
 
 
-def _same_kinds(new: Sequence[str], shown: Sequence[str], setting: Setting) -> float:
-    known = setting.affordances
+def _same_kinds(new: Sequence[str], shown: Sequence[str], surroundings: Surroundings) -> float:
+    known = surroundings.affordances
     same = sum(known.get(a) == known.get(b) for a, b in zip(new, shown, strict=True))
     return same / max(1, len(new))

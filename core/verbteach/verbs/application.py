@@ -16,8 +16,8 @@ from typing import NamedTuple, TypeAlias
 
 from verbteach.verbs.knowledge import Bindings, FrameSpace, HypothesisNode, Use, VerbKnowledge
 from verbteach.verbs.lifting import Binding, Lifted, affordances_of, mould_of, terms_of
-from verbteach.verbs.setting import Setting
 from verbteach.verbs.space import Demonstration, FrameKey
+from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.fluents import Goal, Literal, State
 
 Objects: TypeAlias = tuple[str, ...]
@@ -33,7 +33,7 @@ class Situation:
     phrases: tuple[str, ...]
     groundings: GroundingBelief
     state: State
-    setting: Setting
+    surroundings: Surroundings
 
     @cached_property
     def likenesses(self) -> dict[tuple[tuple[str | None, ...], Objects], tuple[float, float]]:
@@ -151,7 +151,7 @@ def evidence(
     """
     parameters = parameters or ApplicationParameters()
     belief = likeliest(situation.groundings, parameters.groundings)
-    things = _Things(situation.setting, parameters.replace_missing)
+    things = _Things(situation.surroundings, parameters.replace_missing)
     arguments: dict[int, _Arguments] = {}
     found: dict[Goal, list[Support]] = defaultdict(list)
     for frame in _frames(knowledge, situation.frame, parameters):
@@ -259,12 +259,12 @@ def _put(objects: Objects, places: Sequence[int], into: Objects) -> Objects:
 class _Things:
     """The things of a binding in this scene: the old ones, or others alike for missing ones."""
 
-    def __init__(self, setting: Setting, replace_missing: int) -> None:
-        self._here = setting.affordances
+    def __init__(self, surroundings: Surroundings, replace_missing: int) -> None:
+        self._here = surroundings.affordances
         self._most = replace_missing
         self._alike: dict[frozenset[str], list[str]] = defaultdict(list)
-        for thing in sorted(setting.affordances):
-            self._alike[setting.affordances[thing]].append(thing)
+        for thing in sorted(surroundings.affordances):
+            self._alike[surroundings.affordances[thing]].append(thing)
 
     def choices(
         self, hypothesis: Lifted, binding: Binding

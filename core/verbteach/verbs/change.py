@@ -10,7 +10,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
-from verbteach.verbs.setting import Setting
+from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.fluents import Fluent, Goal, Literal, State
 from verbteach.world.plan import Action
 
@@ -62,30 +62,30 @@ def things_of(
     arguments: Iterable[str],
     actions: Sequence[Action],
     end: State,
-    setting: Setting,
+    surroundings: Surroundings,
 ) -> frozenset[str]:
     """The things in ``object_set``; ``actions`` and ``end`` are the demonstration's.
 
     A constant that the command speaks of ("boil the water") is a thing too.
     """
     chosen = frozenset(arguments)
-    things = frozenset(setting.affordances) | chosen
+    things = frozenset(surroundings.affordances) | chosen
     if object_set is ObjectSet.ALL:
         return things
     if object_set is ObjectSet.MANIPULATED:
         handled = frozenset(word for action in actions for word in action.args)
-        return (handled & things) | (chosen - frozenset(setting.affordances))
+        return (handled & things) | (chosen - frozenset(surroundings.affordances))
     if object_set is ObjectSet.ARGUMENT_RELATED:
         beside = (f.args for f in end if chosen.intersection(f.args))
         return chosen | (frozenset(word for args in beside for word in args) & things)
     return chosen
 
 
-def restrict(goal: Goal, things: frozenset[str], setting: Setting, touch: Touch) -> Goal:
+def restrict(goal: Goal, things: frozenset[str], surroundings: Surroundings, touch: Touch) -> Goal:
     """The literals of ``goal`` about ``things``; a literal about no thing at all stays out."""
     kept = []
     for literal in goal:
-        own = [w for w in literal.fluent.args if w in setting.affordances or w in things]
+        own = [w for w in literal.fluent.args if w in surroundings.affordances or w in things]
         inside = [word in things for word in own]
         if (all(inside) if touch is Touch.EVERY else any(inside)) and own:
             kept.append(literal)

@@ -115,7 +115,7 @@ def _compared(
         else:
             belief = situation.marginals[index] if own_frame else {}
         same += belief.get(before, 0.0)
-        marks = situation.setting.affordances
+        marks = situation.surroundings.affordances
         alike += sum(p * _likeness(marks.get(o), marks.get(before)) for o, p in belief.items())
     return same / longer, alike / longer
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from verbteach.verbs.change import ObjectSet, StateChange, Touch, restrict, things_of
-from verbteach.verbs.setting import Setting
+from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.fluents import Goal, Literal, State
 from verbteach.world.plan import Action, Plan, PlanFailure, Planner
 
@@ -70,7 +70,7 @@ class Learner:
     """What learning needs beside the demonstration."""
 
     planner: Planner
-    setting: Setting
+    surroundings: Surroundings
     parameters: LearningParameters = field(default_factory=LearningParameters)
 
 
@@ -88,10 +88,10 @@ def base_hypothesis(
     """The conjunction of what changed over the chosen object set, or the goal that was given."""
     if shown.goal is not None:
         return planned_hypothesis(shown.goal, shown.start, learner.planner)
-    setting, parameters = learner.setting, learner.parameters
-    changed = StateChange.between(shown.start, shown.end, setting.static).literals
-    things = things_of(parameters.object_set, arguments, shown.actions, shown.end, setting)
-    goal = restrict(changed, things, setting, parameters.touch)
+    surroundings, parameters = learner.surroundings, learner.parameters
+    changed = StateChange.between(shown.start, shown.end, surroundings.static).literals
+    things = things_of(parameters.object_set, arguments, shown.actions, shown.end, surroundings)
+    goal = restrict(changed, things, surroundings, parameters.touch)
     if not goal:
         return NoHypothesis(NoHypothesisReason.NOTHING_CHANGED)
     if len(goal) >= parameters.too_many:

@@ -20,8 +20,8 @@ from verbteach.verbs.hypothesis import (
 )
 from verbteach.verbs.knowledge import VerbKnowledge
 from verbteach.verbs.lifting import Binding, Lifted, bind, lift
-from verbteach.verbs.setting import Setting
 from verbteach.verbs.space import Demonstration, HypothesisSpace, SpaceNode
+from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.fluents import Goal, Literal
 
 
@@ -34,7 +34,7 @@ def derive(
         return base
     goals = _generalised(base, shown, learner)
     confirmed = shown.goal is not None
-    return lifted_space(demonstration, goals, learner.setting, confirmed)
+    return lifted_space(demonstration, goals, learner.surroundings, confirmed)
 
 
 def learn(
@@ -47,7 +47,9 @@ def learn(
     return knowledge.with_space(space), space
 
 
-def struck(space: HypothesisSpace, literal: Literal, setting: Setting) -> HypothesisSpace | None:
+def struck(
+    space: HypothesisSpace, literal: Literal, surroundings: Surroundings
+) -> HypothesisSpace | None:
     """The space after the teacher said that ``literal`` (of the base) is no part of the goal.
 
     The rest of the base becomes the base; of the other goals those without the
@@ -57,15 +59,17 @@ def struck(space: HypothesisSpace, literal: Literal, setting: Setting) -> Hypoth
     if not rest:
         return None
     goals = [goal for goal in ground_goals(space) if literal not in goal and goal != rest]
-    return lifted_space(space.demonstration, (rest, *goals), setting, confirmed=True)
+    return lifted_space(space.demonstration, (rest, *goals), surroundings, confirmed=True)
 
 
-def insisted(space: HypothesisSpace, literal: Literal, setting: Setting) -> HypothesisSpace:
+def insisted(
+    space: HypothesisSpace, literal: Literal, surroundings: Surroundings
+) -> HypothesisSpace:
     """The space after the teacher said that ``literal`` must hold: goals without it go."""
     goals = [goal for goal in ground_goals(space) if literal in goal]
     if not goals:
         raise ValueError(f"{literal} is not in the goal that was learned")
-    return lifted_space(space.demonstration, goals, setting, confirmed=True)
+    return lifted_space(space.demonstration, goals, surroundings, confirmed=True)
 
 
 def ground_goals(space: HypothesisSpace) -> tuple[Goal, ...]:
@@ -78,10 +82,13 @@ def ground_goals(space: HypothesisSpace) -> tuple[Goal, ...]:
 
 
 def lifted_space(
-    demonstration: Demonstration, goals: Sequence[Goal], setting: Setting, confirmed: bool = False
+    demonstration: Demonstration,
+    goals: Sequence[Goal],
+    surroundings: Surroundings,
+    confirmed: bool = False,
 ) -> HypothesisSpace:
     """Lift ground goals, the base first, into a space; equal ones share a node."""
-    lifted = {goal: lift(goal, demonstration.grounding, setting) for goal in goals}
+    lifted = {goal: lift(goal, demonstration.grounding, surroundings) for goal in goals}
     bindings: dict[Lifted, list[Binding]] = defaultdict(list)
     for hypothesis, binding in lifted.values():
         bindings[hypothesis].append(binding)

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
 from typing import NamedTuple, TypeAlias, cast
 
-from verbteach.verbs.setting import Setting
+from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.fluents import Fluent, Goal, Literal
 
 Lifted: TypeAlias = tuple[Literal, ...]
@@ -71,7 +71,9 @@ def rename(literals: Iterable[Literal], names: Mapping[str, str]) -> Iterable[Li
         yield Literal(Fluent(predicate, tuple(map(known, args, args))), positive)
 
 
-def lift(goal: Goal, grounding: Sequence[str], setting: Setting) -> tuple[Lifted, Binding]:
+def lift(
+    goal: Goal, grounding: Sequence[str], surroundings: Surroundings
+) -> tuple[Lifted, Binding]:
     """Abstract a goal; the binding says which things its abstract terms stood for.
 
     Two noun phrases with the same object share the first one's variable.
@@ -80,8 +82,8 @@ def lift(goal: Goal, grounding: Sequence[str], setting: Setting) -> tuple[Lifted
     for index, thing in enumerate(grounding):
         names.setdefault(thing, variable(index))
     words = {word for literal in goal for word in literal.fluent.args}
-    others = sorted(w for w in words if w in setting.affordances and w not in names)
-    labels = {o: "+".join(sorted(setting.affordances[o])) for o in others}
+    others = sorted(w for w in words if w in surroundings.affordances and w not in names)
+    labels = {o: "+".join(sorted(surroundings.affordances[o])) for o in others}
     names.update(_number(_canonical_order(tuple(rename(goal, names)), labels), labels))
     hypothesis = tuple(sorted(rename(goal, names)))
     stands_for = {names[o]: o for o in others}

@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 from verbteach.verbs.knowledge import VerbKnowledge
 from verbteach.verbs.learning import ground_goals, lifted_space
 from verbteach.verbs.lifting import Lifted, affordances_of, bind, terms_of
-from verbteach.verbs.setting import Setting
 from verbteach.verbs.space import FrameKey, HypothesisSpace
+from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.fluents import Goal, Literal
 
 
@@ -124,7 +124,7 @@ def _corrected(space: HypothesisSpace, meant: Goal, revision: Revision) -> Hypot
                         space.confirmed)  # fmt: skip
 
 
-def _seen_by(space: HypothesisSpace, revision: Revision, meant: Goal) -> Setting:
+def _seen_by(space: HypothesisSpace, revision: Revision, meant: Goal) -> Surroundings:
     """The things of a space's hypotheses with the affordances that their terms name."""
     things: dict[str, frozenset[str]] = {}
     for node in space.nodes:
@@ -135,4 +135,4 @@ def _seen_by(space: HypothesisSpace, revision: Revision, meant: Goal) -> Setting
     for literal in meant:  # a goal that was confirmed without the fluent knows nothing of it
         pairs = zip(revision.literal.fluent.args, literal.fluent.args, strict=True)
         things |= {thing: affordances_of(term) for term, thing in pairs if term.startswith("<")}
-    return Setting(affordances=things)
+    return Surroundings(affordances=things)

@@ -14,21 +14,21 @@ from verbteach.world.task import Task
 
 
 @dataclass(frozen=True)
-class Setting:
+class Surroundings:
     """``static`` predicates never change; ``affordances`` maps each thing to its affordance set."""
 
     static: frozenset[str] = frozenset()
     affordances: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
     @classmethod
-    def of(cls, scene: Scene) -> Setting:
+    def of(cls, scene: Scene) -> Surroundings:
         """Read a scene: its objects without the domain's constants are the things."""
         constants = scene.domain.constants
         things = sorted(o for o in scene.objects if o not in constants)
         return cls(scene.domain.static, {o: scene.affordances(o) for o in things})
 
     @classmethod
-    def of_task(cls, task: Task) -> Setting:
+    def of_task(cls, task: Task) -> Surroundings:
         """Read a grounded task; equals the reading of a scene that it was grounded for."""
         constants = task.domain.constants
         things = {o: {type_} for o, type_ in sorted(task.objects.items()) if o not in constants}
