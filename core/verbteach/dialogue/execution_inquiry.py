@@ -37,7 +37,7 @@ from verbteach.dialogue.inquiry import (
 )
 from verbteach.perception.belief import Belief
 from verbteach.verbs.pool import GoalPool, PoolSource
-from verbteach.world.fluents import Fluent, Goal, Literal, State
+from verbteach.world.fluents import Goal, Literal, State
 from verbteach.world.reliance import Foresight, nothing_foreseen
 
 
@@ -128,17 +128,18 @@ class ExecutionInquiry:
                 pool = self.pool.answered(number, reply.label is Label.YES)
                 return replace(self, pool=pool, asked=asked)
             case EnvPredYnq(fluent=fluent):
-                return self._seen(fluent, reply.label is Label.YES, asked)
+                belief = self.belief.answered(fluent, reply.label is Label.YES)
+                return replace(self.believing(belief), asked=asked)
         raise TypeError(f"{act!r} is no question of this phase")
 
-    def _seen(self, fluent: Fluent, truth: bool, asked: tuple[RobotAct, ...]) -> ExecutionInquiry:
-        belief = self.belief.answered(fluent, truth)
+    def believing(self, belief: Belief) -> ExecutionInquiry:
+        """The state with another belief about the room, and the answers so far."""
         pool = self.source.pool(self.static | belief.believed(), self.pool.chances)
         number = {literal: index for index, literal in enumerate(pool.literals)}
         for old, answer in self.pool.answers:
             if self.pool.literals[old] in number:
                 pool = pool.answered(number[self.pool.literals[old]], answer)
-        return replace(self, belief=belief, pool=pool, asked=asked)
+        return replace(self, belief=belief, pool=pool)
 
     def _questions(self) -> Iterator[tuple[RobotAct, dict[str, float]]]:
         for act, features in grounding_questions(

@@ -20,6 +20,7 @@ import numpy as np
 from verbteach.dialogue.acts import IncludeFluent
 from verbteach.dialogue.execution_inquiry import ExecutionInquiry
 from verbteach.dialogue.learning_inquiry import LearningInquiry
+from verbteach.experiments.asked_command import AskedCommand, Witness, unwitnessed
 from verbteach.experiments.instance_split import InstanceSplit
 from verbteach.experiments.interactive import Carried, Dialogue, asked_on, carry_out, hold
 from verbteach.experiments.interactive_bench import Bench
@@ -142,15 +143,19 @@ class Policies:
 
 
 def run(
-    bench: Bench, config: Config, policies: Policies | None = None, heard: Heard = unheard
+    bench: Bench,
+    config: Config,
+    policies: Policies | None = None,
+    heard: Heard = unheard,
+    witness: Witness = unwitnessed,
 ) -> Result:
     """Carry out one configuration; with ``policies`` none is trained, and those are tested.
 
     ``heard`` is told of each dialogue: in the stages ``learning`` and
     ``execution`` its return, in ``lessons`` 1 for a goal judged right, in
-    ``tests`` the SJI.
+    ``tests`` the SJI. ``witness`` is told of each test command, at checkpoints too.
     """
-    return _Run(bench, config, policies, heard).result()
+    return _Run(bench, config, policies, heard, witness).result()
 
 
 @dataclass(frozen=True)
@@ -199,9 +204,11 @@ class _Run:
         config: Config,
         policies: Policies | None = None,
         heard: Heard = unheard,
+        witness: Witness = unwitnessed,
     ) -> None:
         self.bench = bench
         self.heard = heard
+        self.witness = witness
         self.config = config
         self.policies = policies
         noise = NoiseModel.named(config.noise, config.reading)
@@ -383,6 +390,9 @@ class _Run:
         rng = self.draws("test", instance.id)
         held = hold(start, policy, human, self.config.training.priced, rng).state.state
         carried = carry_out(held, human, gold)
+        self.witness(
+            AskedCommand(instance, human, memory, policy, start.state, held, gold, carried)
+        )
         traced: tuple[Carried, ...] = ()
         if trace:
             rng = self.draws("trace", instance.id)
