@@ -15,6 +15,9 @@ from verbteach_sessions.method import Method
 from verbteach_sessions.names import Now, Random, new_id, safe_name, utc_now
 from verbteach_sessions.shapes import wrong_fields
 
+SIMULATED = "simulated"
+"""The teacher's kind where no person taught."""
+
 # Recomputing a session gives the same bytes as long as these stay.
 PINNED = ("verbteach", "numpy", "numba", "pddl")
 # These only matter to sessions with a second opinion.

@@ -116,3 +116,48 @@ def test_lessons_and_rates_are_for_those_who_have_them(
     assert_refused(here("teach", "--teacher", session, "--lessons", 2, *folder), "--lessons")
     words = ("teach", "--teacher", f"fitted:{user}", "--wrong-answers", 0.5)
     assert_refused(here(*words, *folder), "--wrong-answers")
+
+
+BY_A_PERSON = """\
+command: boil the water
+do: moveto StoveKnob_1
+do: turn StoveKnob_1
+done
+good
+"""
+
+
+@pytest.fixture
+def persons(tmp_path: Path) -> Path:
+    """A folder with a session of one person."""
+    words = ("--teacher", "-", "--scene", "kitchen-1", "--participant", "k7m2xq9fhd")
+    ran = here("teach", *words, "--sessions", tmp_path / "theirs", typed=BY_A_PERSON)
+    assert ran.status == 0, ran
+    return tmp_path / "theirs"
+
+
+def copies(folder: Path) -> list[tuple[str, str]]:
+    ran = here("sessions", "withdraw", "k7m2xq9fhd", "--sessions", folder, "--yes", "--json")
+    assert ran.document["deleted"] is True
+    return [(one["format"], one["out"]) for one in ran.document["exports"]]
+
+
+def test_a_withdrawal_lists_the_users_fitted_to_the_person(persons: Path, tmp_path: Path) -> None:
+    out = tmp_path / "user.json"
+    assert here("sessions", "fit", persons, "--out", out).status == 0
+    assert copies(persons) == [("fitted user", str(out))]
+
+
+@pytest.mark.slow  # weights are trained
+def test_a_withdrawal_lists_the_weights_trained_on_the_person(
+    persons: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "weights.json"
+    words = ("--episodes", 12, "--noise", "perfect", "--from", persons, "--out", out)
+    assert here("train", *words).status == 0
+    assert copies(persons) == [("weights", str(out))]
+
+
+def test_nobody_is_entered_where_a_program_taught(corpus: Path, user: Path) -> None:
+    assert user.exists()
+    assert not (corpus / "exports.jsonl").exists()

@@ -1,7 +1,8 @@
 """The register of exports: which session and which person went into which export.
 
 It is kept in the folder of sessions, so that a withdrawal can name the copies
-that are elsewhere. Only people are registered: a simulated teacher withdraws nothing.
+that are elsewhere, and what was made of people's answers: a fitted user, a
+policy's weights. Only people are registered: a simulated teacher withdraws nothing.
 """
 
 from __future__ import annotations
@@ -9,12 +10,24 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
-from verbteach_sessions.corpus.folder import append_lines, read_lines
+from verbteach_sessions.corpus.folder import append_lines, corpus_of, read_lines
+from verbteach_sessions.header import SIMULATED
 from verbteach_sessions.names import Now, utc_now
 
 REGISTER_NAME = "exports.jsonl"
+
+
+class Contribution(NamedTuple):
+    """A session that went into an export: where it is, who taught in it, and what kind of teacher.
+
+    ``participant`` is the person's code; without one nobody can withdraw it.
+    """
+
+    session: Path
+    participant: str | None
+    teacher: str
 
 
 @dataclass(frozen=True)
@@ -29,17 +42,21 @@ class Entry:
 
 
 def register(
-    folder: Path,
-    kind: str,
-    out: Path,
-    contents: Iterable[tuple[str, str]],
-    now: Now = utc_now,
+    kind: str, out: Path, contributions: Iterable[Contribution], now: Now = utc_now
 ) -> None:
-    """Note an export of sessions in ``folder``: pairs of a session's name and a person's code.
+    """Note an export in each folder that people's sessions in it come from.
 
     Raises ``StorageError``.
     """
-    pairs = sorted(contents)
+    people: dict[Path, list[tuple[str, str]]] = {}
+    for session, participant, teacher in contributions:
+        if participant is not None and teacher != SIMULATED:
+            people.setdefault(corpus_of(session), []).append((session.name, participant))
+    for folder in sorted(people):
+        _note(folder, kind, out, sorted(people[folder]), now)
+
+
+def _note(folder: Path, kind: str, out: Path, pairs: list[tuple[str, str]], now: Now) -> None:
     entry = Entry(
         at=now().isoformat(timespec="seconds"),
         format=kind,

@@ -12,7 +12,7 @@ from verbteach import __version__
 from verbteach.dialogue.setting import Settings
 from verbteach_sessions.corpus.folder import corpus_of
 from verbteach_sessions.corpus.redactions import Redactions
-from verbteach_sessions.corpus.register import register
+from verbteach_sessions.corpus.register import Contribution, register
 from verbteach_sessions.exports.dialogue import Dialogue
 from verbteach_sessions.exports.errors import ExportError
 from verbteach_sessions.exports.folder import new_folder, write_manifest
@@ -97,7 +97,7 @@ class _Reading:
         self._request = request
         self._heard = heard
         self._redactions: dict[Path, Redactions] = {}
-        self._people: dict[Path, list[tuple[str, str]]] = {}
+        self._contributions: list[Contribution] = []
         self._names: dict[str, Path] = {}
         self._codes: set[str] = set()
         self.turns = 0
@@ -131,8 +131,7 @@ class _Reading:
 
     def note_people(self) -> None:
         """Enter people's sessions in the register of each folder that they came from."""
-        for folder in sorted(self._people):
-            register(folder, self._request.to, self._request.out, self._people[folder])
+        register(self._request.to, self._request.out, self._contributions)
 
     def _read(self, path: Path) -> Dialogue:
         folder = corpus_of(path)
@@ -144,15 +143,13 @@ class _Reading:
         if dialogue.id in self._names:
             raise ExportError(f"{path}: is the same session as {self._names[dialogue.id]}")
         self._names[dialogue.id] = path
-        self._remember(path, folder, dialogue)
+        self._remember(path, dialogue)
         self.redacted += redactor.count
         return replace(dialogue, split=self._request.splits.get(dialogue.id, dialogue.split))
 
-    def _remember(self, path: Path, folder: Path, dialogue: Dialogue) -> None:
+    def _remember(self, path: Path, dialogue: Dialogue) -> None:
         self.turns += len(dialogue.turns)
         self.warnings += [f"{path.name}: {warning}" for warning in dialogue.warnings]
-        if dialogue.participant is None:
-            return
-        self._codes.add(dialogue.participant)
-        if dialogue.teacher != "simulated":
-            self._people.setdefault(folder, []).append((path.name, dialogue.participant))
+        self._contributions.append(Contribution(path, dialogue.participant, dialogue.teacher))
+        if dialogue.participant is not None:
+            self._codes.add(dialogue.participant)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from verbteach.dialogue.setting import Settings
+from verbteach_sessions.corpus.register import Contribution, register
 from verbteach_sessions.files import open_regular, replace_file
 from verbteach_sessions.lines import LineError, parse
 from verbteach_sessions.people.fitted_user import FORMAT, FittedUser, FittedUserError
@@ -21,8 +22,9 @@ MAX_FILE = 64 * 1024 * 1024
 
 @dataclass(frozen=True)
 class Material:
-    """Sessions that were read, and every answer in them."""
+    """Sessions that were read, where they are, and every answer in them."""
 
+    paths: tuple[Path, ...]
     records: tuple[Recorded, ...]
     observed: tuple[Observed, ...]
 
@@ -30,6 +32,21 @@ class Material:
         """The user fitted to all of it. Raises :class:`FittedUserError` where there is nothing."""
         sessions = ((one.header.id, one.content_hash) for one in self.records)
         return FittedUser.of(self.observed, sessions)
+
+    def note(self, kind: str, out: Path) -> None:
+        """Enter what is made of it in the register of exports, so that a withdrawal lists it.
+
+        Raises ``StorageError``.
+        """
+        headers = (record.header for record in self.records)
+        register(
+            kind,
+            out,
+            (
+                Contribution(path, header.participant, header.teacher)
+                for path, header in zip(self.paths, headers, strict=True)
+            ),
+        )
 
 
 def gather(
@@ -50,7 +67,7 @@ def gather(
         observed += observe(record, book, settings)
         if heard is not None:
             heard(done, len(paths))
-    return Material(tuple(records), tuple(observed))
+    return Material(tuple(paths), tuple(records), tuple(observed))
 
 
 def save_user(path: Path, user: FittedUser) -> None:

@@ -13,13 +13,13 @@ from verbteach.dialogue import acts
 from verbteach.dialogue.acts import RobotAct, TeacherAct
 from verbteach.dialogue.setting import Settings
 from verbteach.dialogue.understanding import read_reply
+from verbteach_sessions.header import SIMULATED
 from verbteach_sessions.people.golds import Gold, Later, LessonBook
 from verbteach_sessions.people.habits import ASKED
 from verbteach_sessions.people.recorded import Recorded, Said
 from verbteach_sessions.people.standing import Standing
 
 YES, NO, UNSURE, GAVE_UP, OBJECT, UNREAD = "yes", "no", "unsure", "gave up", "object", "unread"
-SIMULATED = "simulated"
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,9 @@ from verbteach.verbs.space import HypothesisSpace
 from verbteach.world.fluents import Goal
 from verbteach.world.plan import Action
 from verbteach_sessions.errors import SessionError
+from verbteach_sessions.header import SIMULATED
 from verbteach_sessions.people.golds import LessonBook
-from verbteach_sessions.people.observations import SIMULATED, later
+from verbteach_sessions.people.observations import later
 from verbteach_sessions.people.recorded import Recorded, Said
 from verbteach_sessions.people.standing import Standing
 

@@ -61,6 +61,7 @@ def fit(
     user = material.user()
     if check and len(user.counts) < FEWEST:
         raise WrongUseError(f"--check: {FEWEST} people at least, here are {len(user.counts)}")
+    material.note("fitted user", out)
     save_user(out, user)
     rng = np.random.default_rng(seed or 0)
     document: dict[str, Any] = {

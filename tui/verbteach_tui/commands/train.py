@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 
 import typer
 
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from verbteach.experiments.policy_training import Schooling
     from verbteach.experiments.simulated_human import HumanParameters
     from verbteach.policy.weights_file import PolicyWeights
+    from verbteach_sessions.people.fitting import Material
+    from verbteach_sessions.people.golds import LessonBook
 
 
 def train(
@@ -71,10 +73,12 @@ def train(
     if not out.resolve().parent.is_dir():
         raise WrongUseError(f"{out.resolve().parent}: there is no such folder")
     with progress() as show:
-        bench, source, teachers = _bench(data, sessions or [], schooling.seed, show)
-        weights = _trained(bench, replace(schooling, human=teachers), source, show)
+        matter = _matter(data, sessions or [], schooling.seed, show)
+        weights = _trained(matter, replace(schooling, human=matter.teachers), show)
     from verbteach_scenarios.weights import save_weights
 
+    if matter.people is not None:
+        matter.people.note("weights", out)
     save_weights(out, weights)
     document = _document(weights, out)
     if as_json:
@@ -103,50 +107,55 @@ def _schooling(
     return replace(plain, noises=noises, training=training)
 
 
-def _bench(
-    data: Path | None, sessions: list[Path], seed: int, show: Progress
-) -> tuple[Bench, str, HumanParameters]:
-    """What to practise on, what to call it, and who answers."""
+class _Matter(NamedTuple):
+    """What to practise on, what to call it, who answers, and the sessions that they are from."""
+
+    bench: Bench
+    source: str
+    teachers: HumanParameters
+    people: Material | None = None
+
+
+def _matter(data: Path | None, sessions: list[Path], seed: int, show: Progress) -> _Matter:
     from verbteach.experiments.simulated_human import HumanParameters
     from verbteach_scenarios.benches import bench_of
     from verbteach_scenarios.grounds import of_corpus, of_lessons
     from verbteach_scenarios.lessons import load_lessons
     from verbteach_scenarios.settings import make_settings
+    from verbteach_sessions.people.golds import LessonBook
 
     if data is not None:
         if sessions:
             raise WrongUseError("--from goes with the bundled lessons, not with --data")
         found = of_corpus(data, None, lambda done, total: show("reading", done, total))
-        return bench_of(found), "a Tell Me Dave folder", HumanParameters()
+        return _Matter(bench_of(found), "a Tell Me Dave folder", HumanParameters())
     settings = make_settings()
     lessons = {lesson.id: lesson for lesson in load_lessons()}
-    source, teachers = "bundled lessons", HumanParameters()
+    source, people, teachers = "bundled lessons", None, HumanParameters()
     if sessions:
-        taught, teachers = _taught(sessions, list(lessons.values()), settings, seed, show)
+        book = LessonBook.of(lessons.values())
+        people = _gathered(sessions, book, settings, show)
+        taught, teachers = _taught(people, book, settings), _answering(people, seed)
         lessons |= {lesson.id: lesson for lesson in taught}
         source += f", and {len(taught)} lessons that sessions taught, answered as in them"
-    return bench_of(of_lessons(list(lessons.values()), settings)), source, teachers
+    bench = bench_of(of_lessons(list(lessons.values()), settings))
+    return _Matter(bench, source, teachers, people)
 
 
-def _taught(
-    sessions: list[Path], bundled: list[Lesson], settings: Settings, seed: int, show: Progress
-) -> tuple[list[Lesson], HumanParameters]:
-    """What sessions taught, as lessons, and people who answer as those in them did.
-
-    Commands without a confirmed goal teach nothing.
-    """
-    import numpy as np
-
+def _gathered(
+    sessions: list[Path], book: LessonBook, settings: Settings, show: Progress
+) -> Material:
     from verbteach_sessions.corpus.folder import sessions_at
     from verbteach_sessions.people.fitting import gather
-    from verbteach_sessions.people.golds import LessonBook
-    from verbteach_sessions.people.recorded_lessons import taught
-    from verbteach_sessions.people.training import training_people
 
-    book = LessonBook.of(bundled)
-    material = gather(
-        sessions_at(sessions), book, settings, lambda done, of: show("sessions", done, of)
-    )
+    paths = sessions_at(sessions)
+    return gather(paths, book, settings, lambda done, of: show("sessions", done, of))
+
+
+def _taught(material: Material, book: LessonBook, settings: Settings) -> list[Lesson]:
+    """What sessions taught, as lessons; commands without a confirmed goal teach nothing."""
+    from verbteach_sessions.people.recorded_lessons import taught
+
     found = []
     for record in material.records:
         lessons = [one.lesson for one in taught(record, book, settings)]
@@ -154,16 +163,27 @@ def _taught(
         if not usable:
             note(f"{record.header.id}: no command in it was taught from the scene as it is found")
         found += usable
-    people = training_people(material.user().population, np.random.default_rng([seed, 2]))
-    return found, people
+    return found
 
 
-def _trained(bench: Bench, schooling: Schooling, source: str, show: Progress) -> PolicyWeights:
+def _answering(material: Material, seed: int) -> HumanParameters:
+    """People who answer as those in the sessions did."""
+    import numpy as np
+
+    from verbteach_sessions.people.training import training_people
+
+    return training_people(material.user().population, np.random.default_rng([seed, 2]))
+
+
+def _trained(matter: _Matter, schooling: Schooling, show: Progress) -> PolicyWeights:
     from verbteach.experiments.policy_training import train_policies
 
     try:
         return train_policies(
-            bench, schooling, source, lambda stage, done, total, _: show(stage, done, total)
+            matter.bench,
+            schooling,
+            matter.source,
+            lambda stage, done, total, _: show(stage, done, total),
         )
     except ValueError as error:
         raise WrongUseError(str(error)) from error
