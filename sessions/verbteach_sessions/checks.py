@@ -19,6 +19,7 @@ from verbteach.dialogue.codec import (
     teacher_act_from_json,
 )
 from verbteach.dialogue.moves import ROBOT_MOVES, TEACHER_MOVES, Phase
+from verbteach.dialogue.promise import Promise
 from verbteach.dialogue.rewards import Rewards
 from verbteach_sessions import events as kinds
 from verbteach_sessions.history import History, Node
@@ -78,6 +79,21 @@ def check_decisions(event: Event, before: History) -> Iterator[str]:
             yield f"the propensity {decision['propensity']} is no probability of what was chosen"
 
 
+def check_promise(event: Event, before: History) -> Iterator[str]:
+    """Under a promise nothing is carried out that the robot was not sure enough of."""
+    promised = before.header.data.get("promise") if before.header else None
+    if event.type != kinds.ROBOT or promised is None:
+        return
+    promise = from_plain(Promise, promised, "promise")
+    for decision in event.data["decisions"]:
+        chosen = _chosen(decision)
+        if chosen is None or chosen["act"].get("act") != acts.SelectHypo.name:
+            continue
+        sure = promise.sureness.of(chosen["features"])
+        if sure < promise.sure:
+            yield f"carried out when {sure:.3f} sure, the promise asks for {promise.sure:.3f}"
+
+
 def check_times(event: Event, before: History) -> Iterator[str]:
     """Session time does not run backwards."""
     if before.last is not None and event.at < before.last.at:
@@ -99,9 +115,16 @@ CHECKS: Mapping[str, Check] = {
     "rewards": check_rewards,
     "beliefs": check_beliefs,
     "decisions": check_decisions,
+    "promise": check_promise,
     "times": check_times,
     "undo": check_totals,
 }
+
+
+def _chosen(decision: Mapping[str, Any]) -> Mapping[str, Any] | None:
+    candidates, chosen = decision["candidates"], decision["chosen"]
+    found: Mapping[str, Any] | None = candidates[chosen] if 0 <= chosen < len(candidates) else None
+    return found
 
 
 def _teacher_move(event: Event, before: History) -> Iterator[str]:

@@ -95,6 +95,21 @@ SOURCE = Shape(
         Field("content_hash", TEXT, "its content hash when it was read"),
     ),
 )
+PROMISE = Shape(
+    "promise",
+    "How much of what the robot carries out is to be right, and what it takes for that.",
+    (
+        Field("rate", NUMBER, "the share that is to be right, 0 to 1"),
+        Field("sure", NUMBER, "it carries out only what it is at least so sure of, 0 to 1"),
+        Field("lessons", INTEGER, "how many commands that was calibrated on"),
+        Field(
+            "sureness",
+            OBJECT,
+            "`weights` of the features of `select_hypo`; how sure it is, is their weighted sum"
+            " through the logistic function",
+        ),
+    ),
+)
 CANDIDATE = Shape(
     "candidate",
     "An act that the robot could have taken.",
@@ -197,6 +212,7 @@ SHAPES = (
     REVISION,
     SOURCE,
     PARENT,
+    PROMISE,
     DECISION,
     CANDIDATE,
     BELIEFS,
@@ -244,6 +260,13 @@ _TYPES = (
                 "second_opinion",
                 FLAG,
                 "whether a second reader took part; may be missing, which is false",
+                content=True,
+                optional=True,
+            ),
+            Field(
+                "promise",
+                of_shape(PROMISE),
+                "what the robot promises of its executions; missing where it promises nothing",
                 content=True,
                 optional=True,
             ),

@@ -10,6 +10,7 @@ from typing import Any
 
 from verbteach.dialogue.parameters import RobotParameters
 from verbteach.dialogue.policy import Policy
+from verbteach.dialogue.promise import Promise
 from verbteach.dialogue.robot import Robot
 from verbteach.dialogue.setting import Setting, Settings
 from verbteach.language.agreement import NoSecondReaderError
@@ -47,12 +48,14 @@ class Method:
     """A question policy and the robot's parameters, the seed and the noise model among them.
 
     ``second_opinion``: the robot asks before it acts on a command that a second
-    reader reads differently.
+    reader reads differently. With a ``promise`` it carries out only what it is
+    sure enough of.
     """
 
     policy: Policy = field(default_factory=DemonstrationOnlyPolicy)
     parameters: RobotParameters = field(default_factory=RobotParameters)
     second_opinion: bool = False
+    promise: Promise | None = None
 
     @classmethod
     def named(cls, policy: str, parameters: RobotParameters | None = None) -> Method:
@@ -64,14 +67,16 @@ class Method:
     def to_json(self) -> dict[str, Any]:
         """Plain JSON: ``policy``, ``seed``, ``noise`` and the other ``parameters``.
 
-        ``second_opinion`` only where there is one, so that what was recorded
-        without has the content hash it always had.
+        ``second_opinion`` and ``promise`` only where there is one, so that what
+        was recorded without has the content hash it always had.
         """
         rest = to_plain(self.parameters)
         seed, noise = rest.pop("seed"), rest.pop("noise")
-        second = {"second_opinion": True} if self.second_opinion else {}
+        more = {"second_opinion": True} if self.second_opinion else {}
+        if self.promise is not None:
+            more["promise"] = to_plain(self.promise)
         policy = to_plain(self.policy)
-        return {"policy": policy, "seed": seed, "noise": noise, "parameters": rest, **second}
+        return {"policy": policy, "seed": seed, "noise": noise, "parameters": rest, **more}
 
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> Method:
@@ -84,6 +89,7 @@ class Method:
             from_plain(_kind(policy["name"]), policy, "policy"),
             from_plain(RobotParameters, {**data["parameters"], **parts}),
             from_plain(bool, data.get("second_opinion", False), "second_opinion"),
+            from_plain(Promise | None, data.get("promise"), "promise"),
         )
 
     def settings(self, settings: Settings) -> Settings:
@@ -98,7 +104,7 @@ class Method:
         knowledge, experience = knowledge_of(records)
         here = self.settings(settings)
         policy = practised(self.policy, records)
-        return Robot(here, policy, self.parameters, knowledge, experience)
+        return Robot(here, policy, self.parameters, knowledge, experience, self.promise)
 
     def with_noise(self, noise: NoiseModel) -> Method:
         """The same method with other eyes."""

@@ -13,6 +13,7 @@ from verbteach.dialogue.decision import Candidate, Decision
 from verbteach.dialogue.moves import Phase
 from verbteach.dialogue.parameters import RobotParameters
 from verbteach.dialogue.policy import Policy, Taken
+from verbteach.dialogue.promise import Promise
 from verbteach.dialogue.setting import Setting
 from verbteach.dialogue.state import EpisodeState, Pending, RobotState, Totals
 from verbteach.dialogue.turn import Trace
@@ -22,11 +23,15 @@ from verbteach.verbs.space import HypothesisSpace
 
 @dataclass(frozen=True)
 class Mind:
-    """What stays the same while a turn is made: parameters, policy and where the robot is."""
+    """What stays the same while a turn is made: parameters, policy and where the robot is.
+
+    With a ``promise`` it carries out only what it is sure enough of.
+    """
 
     parameters: RobotParameters
     policy: Policy
     setting: Setting
+    promise: Promise | None = None
 
     @property
     def asks(self) -> bool:

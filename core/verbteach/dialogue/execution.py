@@ -18,6 +18,7 @@ from verbteach.dialogue.acts import (
 from verbteach.dialogue.asking import execution_inquiry, sensible
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.moves import Phase
+from verbteach.dialogue.promise import held_to
 from verbteach.dialogue.proposals import (
     being_shown,
     grounding_questions,
@@ -76,11 +77,14 @@ def _deliberate_asking(draft: Draft) -> None:
     ranked = () if inquiry.pool.empty else inquiry.pool.goals(_CONSIDERED)
     total = math.fsum(value for _, value in ranked) or 1.0
     draft.update(goals=tuple(RankedGoal(goal, value / total) for goal, value in ranked))
-    act = draft.choose(sensible(draft, inquiry.candidates()), Phase.EXECUTION)
+    options = held_to(draft.mind.promise, sensible(draft, inquiry.candidates()))
+    act = draft.choose(options, Phase.EXECUTION)
     if isinstance(act, QUESTIONS):
         ask(draft, act, Phase.EXECUTION)
     elif isinstance(act, SelectHypo):
         _do_the_best(draft, inquiry.believed)
+    elif isinstance(act, RequestDemonstration) and act.reason is DemonstrationReason.NOT_SURE:
+        demonstration.request(draft, act.reason)
     else:
         demonstration.request(draft, _reason(draft, _candidates(draft), None))
 

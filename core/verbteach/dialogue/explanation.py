@@ -6,13 +6,15 @@ values and what made them up, and what a yes and a no would change.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from verbteach.dialogue import acts
+from verbteach.dialogue.asking import execution_inquiry, sensible
 from verbteach.dialogue.consequences import consequences
 from verbteach.dialogue.decision import Candidate, Decision
 from verbteach.dialogue.draft import Draft
+from verbteach.dialogue.moves import Phase
 from verbteach.dialogue.speech import Speech
 from verbteach.dialogue.uncertainty import uncertainty
 from verbteach.world.fluents import Literal
@@ -33,9 +35,34 @@ def explain(draft: Draft) -> tuple[str, ...]:
     told = [
         uncertainty(draft, weighed, speech),
         _weighed(decision, speech) if decision else "",
+        _promised(draft),
         consequences(draft, act, speech),
     ]
     return tuple(sentence for sentence in told if sentence)
+
+
+def _promised(draft: Draft) -> str:
+    """How the promise bears on the execution phase's choice: how sure it is, and has to be."""
+    promise, turn = draft.mind.promise, draft.state.turn
+    shown = acts.DemonstrationReason.NOT_SURE
+    not_sure = getattr(turn.waiting_act, "reason", None) is shown
+    acting = turn.phase in {Phase.EXECUTION, Phase.JUDGEMENT} or not_sure
+    if promise is None or not acting or not turn.decisions:
+        return ""
+    now = promise.sureness.now(_execution_options(draft, turn.decisions[-1]))
+    if now is None:
+        return ""
+    return (
+        f"I promised that {promise.rate:.0%} of what I carry out is right: I act when I am at least"
+        f" {promise.sure:.0%} sure, and am {now:.0%} sure now."
+    )
+
+
+def _execution_options(draft: Draft, decision: Decision) -> Sequence[Candidate]:
+    """The execution phase's acts with the one that the promise may have taken out."""
+    if isinstance(decision.candidates[-1].act, acts.SelectHypo):
+        return decision.candidates
+    return sensible(draft, execution_inquiry(draft).candidates())
 
 
 def _weighed(decision: Decision, speech: Speech) -> str:

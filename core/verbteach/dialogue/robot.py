@@ -28,6 +28,7 @@ from verbteach.dialogue.moves import Phase, check_teacher_act
 from verbteach.dialogue.parameters import RobotParameters
 from verbteach.dialogue.policy import LearningPolicy, Policy
 from verbteach.dialogue.setting import Setting, Settings
+from verbteach.dialogue.promise import Promise
 from verbteach.dialogue.state import RobotState
 from verbteach.dialogue.turn import RobotTurn
 from verbteach.dialogue.understanding import (
@@ -50,10 +51,12 @@ class Robot:
         parameters: RobotParameters | None = None,
         knowledge: VerbKnowledge | None = None,
         experience: Mapping[tuple[str, str], int] | None = None,
+        promise: Promise | None = None,
     ) -> None:
         self.settings = settings
         self.policy = policy
         self.parameters = parameters or RobotParameters()
+        self.promise = promise
         self._knowledge = knowledge or VerbKnowledge()
         self._experience = dict(experience or {})
         self._state: RobotState | None = None
@@ -134,7 +137,7 @@ class Robot:
         return self._state.turn
 
     def _mind(self, state: RobotState) -> Mind:
-        return Mind(self.parameters, self.policy, self.settings(state.scene))
+        return Mind(self.parameters, self.policy, self.settings(state.scene), self.promise)
 
 
 def _finished(draft: Draft) -> RobotState:

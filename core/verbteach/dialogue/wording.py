@@ -251,6 +251,9 @@ _OUTCOMES: Mapping[Outcome, str] = {
     Outcome.LEARNED: "Thank you.",
     Outcome.UNJUDGED: "I leave it as it is.",
     Outcome.ABANDONED: "All right, I have learned nothing from this.",
+    DemonstrationReason.NOT_SURE: (
+        "I am not sure enough of what {doing} asks for here to do it, could you show me?"
+    ),
 }
 
 _WORDING: Mapping[type[RobotAct], Callable[[Any, _About], str]] = {

@@ -22,6 +22,7 @@ class DemonstrationReason(Enum):
     NO_STEP = "no_step"
     NOTHING_CHANGED = "nothing_changed"
     SHOW_AGAIN = "show_again"
+    NOT_SURE = "not_sure"
 
 
 @dataclass(frozen=True)
