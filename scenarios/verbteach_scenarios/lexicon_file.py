@@ -48,8 +48,10 @@ def parse_lexicon(text: str, path: Path) -> Lexicon:
             particles={verb: frozenset(_words(listed)) for verb, listed in particles.items()},
             fluents={name: _wording(name, w) for name, w in data.get("fluents", {}).items()},
             actions={name: _template(name, w) for name, w in data.get("actions", {}).items()},
+            steps={name: _patterns(name, w) for name, w in data.get("steps", {}).items()},
             unspoken=frozenset(_words(data.get("unspoken", []))),
             incidental=frozenset(_words(data.get("incidental", []))),
+            handles=frozenset(_words(data.get("handles", []))),
         )
     except (TypeError, ValueError, AttributeError) as problem:
         raise SceneFileError(path, 0, f"is not a lexicon: {problem}") from problem
@@ -72,8 +74,10 @@ def _over(own: Lexicon, base: Lexicon) -> Lexicon:
         particles=_united(base.particles, own.particles),
         fluents={**base.fluents, **own.fluents},
         actions={**base.actions, **own.actions},
+        steps={**base.steps, **own.steps},
         unspoken=base.unspoken | own.unspoken,
         incidental=base.incidental | own.incidental,
+        handles=base.handles | own.handles,
     )
 
 
@@ -111,6 +115,10 @@ def _words(listed: object) -> list[str]:
     if not isinstance(listed, list) or not all(isinstance(word, str) for word in listed):
         raise TypeError(f"a list of words should stand in place of {listed!r}")
     return listed
+
+
+def _patterns(name: str, listed: object) -> tuple[str, ...]:
+    return tuple(_template(name, text) for text in _words(listed))
 
 
 def _template(name: str, text: object) -> str:

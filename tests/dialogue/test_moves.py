@@ -55,7 +55,7 @@ def test_every_phase_but_the_first_leads_back_to_it() -> None:
 
 
 def test_a_misfit_names_what_would_fit() -> None:
-    with pytest.raises(IllegalMoveError, match=r"waits for judgement .*good, bad, stop"):
+    with pytest.raises(IllegalMoveError, match=r"waits to hear .*: good, bad, stop"):
         check_teacher_act(Phase.JUDGEMENT, acts.Done())
     assert expected(Phase.COMMAND) == ("command", "scene", "rule_out", "confirm")
 

@@ -40,10 +40,10 @@ def test_whoever_listens_hears_every_turn_once(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("script", "line", "reason"),
     [
-        ("yes\n", 1, "waits for command"),
-        (BOIL + "\n# done\nhello robot\n", 12, "waits for command"),
+        ("yes\n", 1, "waits for a command"),
+        (BOIL + "\n# done\nhello robot\n", 12, "waits for a command"),
         (BOIL + "scene: the-moon\n", 10, "the-moon"),
-        ("command: boil the water\nobject: Kettle_1\n", 2, "waits for demonstration"),
+        ("command: boil the water\nobject: Kettle_1\n", 2, "waits to be shown"),
         ("undo\n", 1, "nothing to take back"),
         (BOIL + "redo\n", 10, "nothing to do again"),
         ("command: boil the water\ndo:\n", 2, "cannot be read"),

@@ -179,7 +179,7 @@ def test_at_the_keyboard_a_mistake_is_explained_and_ctrl_d_leaves(tmp_path: Path
     keyboard.type("\x04")
     seen = keyboard.expect("ended")
     assert process.wait(timeout=30) == 0
-    assert "Note: that does not fit: 'good' does not fit" in keyboard.seen
+    assert "Note: 'good' does not fit: the robot waits to be shown" in keyboard.seen
     assert 'I have learned "open"' in keyboard.seen
     assert "ended True ('open',)" in seen + keyboard.rest()
 

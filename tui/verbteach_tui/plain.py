@@ -107,7 +107,7 @@ def _at_the_keyboard(talk: Conversation, out: TextIO, note: str) -> int:
         try:
             _print(out, talk.hear(ask("You: "), "typed"))
         except MisfitError as error:
-            _print(out, [f"Note: that does not fit: {visible(str(error))}"])
+            _print(out, [f"Note: {visible(str(error))}."])
         except KeyboardInterrupt:
             _print(out, ["Note: type quit, or press Ctrl-D, to leave."])
         except EOFError:

@@ -86,7 +86,7 @@ TEACHER_MOVES: Mapping[Phase, Mapping[type[TeacherAct], tuple[Phase, ...]]] = {
         acts.Move: (Phase.DEMONSTRATION,),
         acts.Done: (Phase.DEMONSTRATION, *_AFTER_DEMONSTRATION),
         acts.Skip: (Phase.COMMAND, *_AFTER_COMMAND),
-        acts.Say: (Phase.DEMONSTRATION,),
+        acts.Say: (Phase.DEMONSTRATION, *_AFTER_DEMONSTRATION, Phase.COMMAND, *_AFTER_COMMAND[:2]),
     },
     Phase.LEARNING: {
         acts.Yes: _LEARNING_ANSWER,
@@ -109,6 +109,17 @@ TEACHER_MOVES: Mapping[Phase, Mapping[type[TeacherAct], tuple[Phase, ...]]] = {
 }
 
 
+_WAITS: Mapping[Phase, str] = {
+    Phase.COMMAND: "for a command, as in: boil the water (in a script, command: boil the water)",
+    Phase.EXECUTION: "for an answer: yes, no, unsure, skip, an object, or show",
+    Phase.LEARNING: "for an answer: yes, no, unsure, skip, an object, or show",
+    Phase.JUDGEMENT: "to hear whether it was right: good, bad, stop, skip or show",
+    Phase.DEMONSTRATION: "to be shown: a step, or done after the last one, or skip",
+    Phase.READ_BACK: "to hear whether the goal is right: good, bad, strike, keep, skip or show",
+}
+"""What fits each phase, for a person to read."""
+
+
 class IllegalMoveError(ValueError):
     """The teacher's act does not fit what the robot waits for."""
 
@@ -121,7 +132,4 @@ def expected(phase: Phase) -> tuple[str, ...]:
 def check_teacher_act(phase: Phase, act: TeacherAct) -> None:
     """Raise :class:`IllegalMoveError` unless ``act`` is legal in ``phase``."""
     if type(act) not in TEACHER_MOVES[phase]:
-        fitting = ", ".join(expected(phase))
-        raise IllegalMoveError(
-            f"'{act.name}' does not fit: the robot waits for {phase.value} ({fitting})"
-        )
+        raise IllegalMoveError(f"'{act.name}' does not fit: the robot waits {_WAITS[phase]}")

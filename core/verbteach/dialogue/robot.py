@@ -19,6 +19,7 @@ from verbteach.dialogue import (
     learning,
     questions,
     revising,
+    shown_in_words,
 )
 from verbteach.dialogue.acts import DemonstrationReason, Outcome, TeacherAct
 from verbteach.dialogue.closing import await_command, close
@@ -27,15 +28,14 @@ from verbteach.dialogue.explanation import explain
 from verbteach.dialogue.moves import Phase, check_teacher_act
 from verbteach.dialogue.parameters import RobotParameters
 from verbteach.dialogue.policy import LearningPolicy, Policy
-from verbteach.dialogue.setting import Setting, Settings
 from verbteach.dialogue.promise import Promise
+from verbteach.dialogue.setting import Setting, Settings
 from verbteach.dialogue.state import RobotState
 from verbteach.dialogue.turn import RobotTurn
 from verbteach.dialogue.understanding import (
     check_object,
     find_correction,
-    read_action,
-    read_reply,
+    read_verdict,
 )
 from verbteach.dialogue.wording import word_turn
 from verbteach.verbs.knowledge import VerbKnowledge
@@ -211,7 +211,7 @@ def _judgement(draft: Draft, act: TeacherAct) -> None:
 
 
 def _judgement_in_words(draft: Draft, text: str) -> None:
-    reply = read_reply(text)
+    reply = read_verdict(text)
     correction = find_correction(draft, reply)
     draft.reading = reply.label
     if correction is not None:
@@ -221,8 +221,10 @@ def _judgement_in_words(draft: Draft, text: str) -> None:
         _judgement(draft, acts.Good())
     elif reply.label == "no":
         _judgement(draft, acts.Bad())
+    elif reply.label == "skip":
+        _judgement(draft, acts.Skip())
     else:
-        draft.say(acts.AskAgain(reply.problem))
+        draft.say(acts.AskAgain("Say yes if it was right, no if it was not, or skip."))
         draft.wait(_waiting(draft), Phase.JUDGEMENT)
 
 
@@ -238,16 +240,7 @@ def _demonstration(draft: Draft, act: TeacherAct) -> None:
             learning.abandon(draft)
             commands.go_on(draft)
         case acts.Say(text=text):
-            _step_in_words(draft, text)
-
-
-def _step_in_words(draft: Draft, text: str) -> None:
-    action, problem = read_action(draft.mind.setting, text)
-    if action is None:
-        draft.wait(acts.AskAgain(problem), Phase.DEMONSTRATION)
-    else:
-        draft.reading = str(action)
-        demonstration.observe(draft, action)
+            shown_in_words.hear(draft, text)
 
 
 def _read_back(draft: Draft, act: TeacherAct) -> None:
@@ -271,14 +264,17 @@ def _read_back(draft: Draft, act: TeacherAct) -> None:
 
 
 def _read_back_in_words(draft: Draft, text: str) -> None:
-    reply = read_reply(text)
+    reply = read_verdict(text)
     draft.reading = reply.label
     if reply.label == "yes":
         _read_back(draft, acts.Good())
     elif reply.label == "no":
         _read_back(draft, acts.Bad())
+    elif reply.label == "skip":
+        _read_back(draft, acts.Skip())
     else:
-        draft.say(acts.AskAgain(reply.problem))
+        problem = "Say yes if this is the goal, no if it is not, or skip. You can also strike parts"
+        draft.say(acts.AskAgain(f"{problem} of it, keep what I left out, or show me again."))
         draft.wait(_waiting(draft), Phase.READ_BACK)
 
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.grounding import GroundingBelief
 from verbteach.dialogue.setting import Setting, UnknownObjectError
+from verbteach.dialogue.speech import Speech
+from verbteach.language import household
 from verbteach.language.agreement import agree
 from verbteach.language.anaphora import resolve
 from verbteach.language.answers import read_answer
@@ -16,9 +19,9 @@ from verbteach.language.frames import Argument, NounPhrase, VerbFrame
 from verbteach.language.grammar import EMPTY_LEXICON, Unread, explain_unread, parse
 from verbteach.language.looks import Looks
 from verbteach.language.refer import Candidates, refer
-from verbteach.language.typos import suggest
+from verbteach.language.small_talk import Talk, small_talk
+from verbteach.language.typos import suggest, suggest_verb
 from verbteach.language.wording import Wording
-from verbteach.world.plan import Action
 
 _LONGEST_COMMAND = 1000
 """Letters: nobody says more in one command, and the record need not carry a book."""
@@ -62,12 +65,40 @@ def read_command(draft: Draft, text: str, *, as_said: bool = False) -> CommandRe
     if len(text) > _LONGEST_COMMAND:
         return CommandReading((), "That is too long for me. Please say it in a sentence or two.")
     setting = draft.mind.setting
-    frames = parse(text, setting.lexicon, setting.vocabulary)
+    talk = small_talk(text)
+    frames = () if talk else parse(text, setting.lexicon, setting.vocabulary)
     if not frames:
-        why = explain_unread(text, setting.lexicon, setting.vocabulary)
-        return CommandReading((), _UNREAD[why] if why else _UNREAD[Unread.NO_VERB])
+        why = explain_unread(text, setting.lexicon, setting.vocabulary) or Unread.NO_VERB
+        problem = _TALKED[talk] if talk else _UNREAD[why]
+        return CommandReading((), problem.format(example=_example(setting)))
     typo = None if as_said else _verb_typo(draft, text, frames)
+    if typo is None and _is_nonsense(draft, frames):
+        return CommandReading((), _NONSENSE.format(example=_example(setting)))
     return typo or CommandReading(resolve(frames), disputed=_is_disputed(setting, text, frames))
+
+
+def _example(setting: Setting) -> str:
+    """A command that makes sense here: to open what is there for little else, if anything is."""
+    uses = Counter(thing for ground in setting.task.actions for thing in ground.action.args)
+    one = [g.action for g in setting.task.actions if len(g.action.args) == 1]
+    openings = [action for action in one if action.name == "open"] or one[:1]
+    action = min(openings, key=lambda action: (uses[action.args[0]], action.args), default=None)
+    speech = Speech.of(setting, setting.scene.initial)
+    return speech.words.action(action) if action else "go"
+
+
+def _is_nonsense(draft: Draft, frames: tuple[VerbFrame, ...]) -> bool:
+    """Whether no word of the command is known: an unknown verb alone may be taught."""
+    looks = _looks(draft)
+    known = {*draft.state.knowledge.verbs, *draft.mind.setting.lexicon.verbs, *household.VERBS}
+    return all(
+        frame.arguments and frame.verb not in known and frame.verb.split()[0] not in known
+        for frame in frames
+    ) and not any(
+        _candidates(draft, argument, looks) or _guesses(draft, argument, looks)
+        for frame in frames
+        for argument in frame.arguments
+    )
 
 
 def _is_disputed(setting: Setting, text: str, frames: tuple[VerbFrame, ...]) -> bool:
@@ -83,7 +114,7 @@ def _verb_typo(draft: Draft, text: str, frames: tuple[VerbFrame, ...]) -> Comman
     known = {*draft.state.knowledge.verbs, *draft.mind.setting.lexicon.verbs}
     for frame in frames:
         word = frame.verb.split()[0]
-        near = () if frame.verb in known or word in known else suggest(word, known)
+        near = () if frame.verb in known or word in known else suggest_verb(word, known)
         if near:
             meant = text.lower().replace(word, near[0], 1)
             problem = f'I do not know the word "{word}". Did you mean "{near[0]}", as in "{meant}"?'
@@ -108,7 +139,20 @@ def read_reply(text: str) -> Reply:
         return Reply(reading.label.value, reading.rest)
     if reading.contradictory:
         return Reply("", "", "Is that a yes or a no? I heard both.")
+    talk = small_talk(text)
+    if talk in _PASSING:
+        return Reply("unsure")
+    if talk is Talk.HELP:
+        return Reply("", "", "To hear why I ask, say why. You can also skip the question.")
     return Reply("", reading.rest, "I did not understand that. Is it yes, no, or don't you know?")
+
+
+def read_verdict(text: str) -> Reply:
+    """Read yes, no or skip as a verdict on what was done or read back; else no label."""
+    reply = read_reply(text)
+    if reply.label == "unsure":
+        return Reply("skip" if small_talk(text) in _PASSING else "")
+    return reply
 
 
 def ground_phrases(draft: Draft, frame: VerbFrame) -> tuple[GroundingBelief, frozenset[str]]:
@@ -142,13 +186,19 @@ def _candidates(draft: Draft, argument: Argument, looks: Looks) -> Candidates:
 
 
 def _guesses(draft: Draft, argument: Argument, looks: Looks) -> Candidates:
-    """What the phrase would mean if its noun were a known one that is spelled much like it."""
-    for head in suggest(argument.phrase.head, draft.mind.setting.vocabulary):
-        near = NounPhrase(argument.phrase.text, head, argument.phrase.modifiers)
-        found = refer(near, looks)
+    """What the phrase would mean if its noun were a known one that is spelled much like it.
+
+    Else what its noun means without the words before it that describe nothing here ("teh tv").
+    """
+    phrase = argument.phrase
+    for head in suggest(phrase.head, draft.mind.setting.vocabulary):
+        found = refer(replace(phrase, head=head), looks)
         if found:
             return found
-    return ()
+    fitting = tuple(
+        word for word in phrase.modifiers if any(looks.has_mark(o, word) for o in looks.objects)
+    )
+    return refer(replace(phrase, modifiers=fitting), looks) if fitting != phrase.modifiers else ()
 
 
 def _experienced(draft: Draft, phrase: str, found: Candidates) -> dict[str, float]:
@@ -212,29 +262,32 @@ def check_object(setting: Setting, object_id: str) -> None:
         raise UnknownObjectError(f"there is no object {object_id!r} in {setting.scene.id}{offer}")
 
 
-def read_action(setting: Setting, text: str) -> tuple[Action | None, str]:
-    """A demonstrated action that was typed, letters' case ignored; else the problem."""
-    words = text.strip().removeprefix("(").removesuffix(")").split()
-    names = {name.lower(): name for name in setting.task.domain.actions}
-    if words and words[0].lower() in names:
-        ids = {name.lower(): name for name in setting.scene.objects}
-        return Action(names[words[0].lower()], tuple(ids.get(w.lower(), w) for w in words[1:])), ""
-    near = suggest(words[0].lower(), names) if words else ()
-    offer = f'Did you mean "{near[0]}"?' if near else "Say done when you have shown all of it."
-    return None, f"That is no action I know. {offer}"
-
-
 def _looks(draft: Draft) -> Looks:
     setting = draft.mind.setting
     return Looks(setting.scene, draft.state.world, setting.lexicon)
 
 
 _UNREAD: Mapping[Unread, str] = {
-    Unread.EMPTY: "I heard nothing. Tell me what to do, as in: open the fridge.",
-    Unread.NO_WORDS: "I see no words in that. Tell me what to do, as in: open the fridge.",
-    Unread.NOT_ENGLISH: "I understand only English. Tell me what to do, as in: open the fridge.",
-    Unread.QUESTION: "I cannot answer questions. Tell me what to do, as in: open the fridge.",
-    Unread.NO_VERB: (
-        "I find no verb in that. Tell me what to do with what, as in: open the fridge."
+    Unread.EMPTY: "I heard nothing. Tell me what to do, as in: {example}.",
+    Unread.NO_WORDS: "I see no words in that. Tell me what to do, as in: {example}.",
+    Unread.NOT_ENGLISH: "I understand only English. Tell me what to do, as in: {example}.",
+    Unread.QUESTION: "I cannot answer questions. Tell me what to do, as in: {example}.",
+    Unread.NO_VERB: "I find no verb in that. Tell me what to do with what, as in: {example}.",
+}
+_PASSING = frozenset({Talk.GIVE_UP, Talk.ABSENT})
+_NONSENSE = "I know none of these words. Say it in other words, as in: {example}."
+_NOTHING = "There is nothing that I am asking or doing. "
+_NEXT = "Tell me what to do, as in: {example}."
+_TALKED: Mapping[Talk, str] = {
+    Talk.HELP: (
+        "Tell me what to do, as in: {example}. If I do not know the verb, you show me, one step"
+        " after the other; next time, in another room too, I do it myself."
     ),
+    Talk.GREETING: "Hello. " + _NEXT,
+    Talk.REPLY: "Thank you. " + _NEXT,
+    Talk.DONE: _NOTHING + _NEXT,
+    Talk.GIVE_UP: _NOTHING + _NEXT,
+    Talk.ABSENT: _NOTHING + _NEXT,
+    Talk.BACK: "To take back what you said last, say undo. " + _NEXT,
+    Talk.LEAVE: "To leave, say quit; you can go on later. " + _NEXT,
 }

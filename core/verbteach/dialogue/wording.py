@@ -68,12 +68,23 @@ def _start_clause(act: acts.StartClause, about: _About) -> str:
 def _np_grd_whq(act: acts.NpGrdWhq, about: _About) -> str:
     found = about.episode.grounding[act.np] if about.episode else ()
     if not found:
-        return f"I see nothing that I would call {_quoted(act.np)}. Which is it, can you show me?"
+        nothing = f"I see nothing that I would call {_quoted(act.np)}. Which is it,"
+        return f"{nothing} can you show me? If it is not here, skip."
+    which = f"{_which(act.np, about)}, can you show me?"
     if len(found) == 1:
-        return f"Which is {_the(act.np)}, can you show me?"
+        return which
     things = [about.speech.thing(thing) for thing, _ in found[:6]]
-    more = " and others" if len(found) > 6 else ""
-    return f"Which is {_the(act.np)}, can you show me? It could be {listing(things, 'or')}{more}."
+    more = ", or something else" if len(found) > 6 else ""
+    return f"{which} It could be {listing(things, 'or')}{more}."
+
+
+def _which(phrase: str, about: _About) -> str:
+    """Which is the mug; of several things, since one is taken: which one do you mean."""
+    said = about.episode.frame.phrases if about.episode else ()
+    guessed = about.episode.guessed if about.episode else frozenset()
+    if phrase in guessed or any(one.text == phrase and one.plural for one in said):
+        return f"Which one do you mean by {_quoted(phrase)}"
+    return f"Which is {_the(phrase)}"
 
 
 def _np_grd_ynq(act: acts.NpGrdYnq, about: _About) -> str:
@@ -240,6 +251,9 @@ _REQUESTS: Mapping[DemonstrationReason, str] = {
     DemonstrationReason.WRONG_EXECUTION: "I see. {restored}Could you show me how to {todo}?",
     DemonstrationReason.TAKEN_OVER: "{restored}Please show me how to {todo}.",
     DemonstrationReason.SHOW_AGAIN: "{restored}Please show me again how to {todo}.",
+    DemonstrationReason.NOT_SURE: (
+        "I am not sure enough of what {doing} asks for here to do it, could you show me?"
+    ),
     DemonstrationReason.NO_STEP: "I have seen no step yet. Show me at least one, or skip.",
     DemonstrationReason.NOTHING_CHANGED: (
         "As far as I can see, nothing is different from before. Go on showing me, or skip."
@@ -251,9 +265,6 @@ _OUTCOMES: Mapping[Outcome, str] = {
     Outcome.LEARNED: "Thank you.",
     Outcome.UNJUDGED: "I leave it as it is.",
     Outcome.ABANDONED: "All right, I have learned nothing from this.",
-    DemonstrationReason.NOT_SURE: (
-        "I am not sure enough of what {doing} asks for here to do it, could you show me?"
-    ),
 }
 
 _WORDING: Mapping[type[RobotAct], Callable[[Any, _About], str]] = {

@@ -35,6 +35,8 @@ class Lexicon:
     ``fluents`` and ``actions`` word predicates and primitive actions. Predicates
     in ``unspoken`` are the robot's own bookkeeping, which it neither says nor
     asks; those in ``incidental`` are only meant where nothing else changes.
+    ``steps`` has further ways of saying an action, understood and never said;
+    ``handles`` are predicates by which a thing works another, as a knob a burner.
     """
 
     synonyms: Mapping[str, frozenset[str]] = field(default_factory=dict)
@@ -43,5 +45,7 @@ class Lexicon:
     particles: Mapping[str, frozenset[str]] = field(default_factory=dict)
     fluents: Mapping[str, FluentWording] = field(default_factory=dict)
     actions: Mapping[str, str] = field(default_factory=dict)
+    steps: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     unspoken: frozenset[str] = frozenset()
     incidental: frozenset[str] = frozenset()
+    handles: frozenset[str] = frozenset()

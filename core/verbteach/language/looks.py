@@ -187,6 +187,9 @@ _SAME_PREPOSITION = {
     "next to": ("next to", "near"),
     "alongside": ("next to", "near"),
     "of": ("with",),
+    "from": ("on", "in"),
+    "off": ("on",),
+    "out of": ("in",),
 }
 """For a preposition, the words of the fluents that it may stand for."""
 _PLACES = ("on", "in", "next to")

@@ -35,3 +35,17 @@ def suggest(word: str, vocabulary: Iterable[str], most: int = 3) -> tuple[str, .
         if known != word and abs(len(known) - len(word)) <= limit and len(known) > 2
     )
     return tuple(known for errors, known in sorted(near) if errors <= limit)[:most]
+
+
+def suggest_verb(word: str, verbs: Iterable[str]) -> tuple[str, ...]:
+    """Known verbs that ``word`` may have been meant for; of a short one a letter may be missing.
+
+    Verbs are few, and an unknown one is always asked about: so "opn" may be "open",
+    where a short noun is left alone.
+    """
+    known = sorted(set(verbs))
+    longer = [one for one in known if len(one) == len(word) + 1 and distance(word, one) == 1]
+    return suggest(word, known) or tuple(longer[:3] if len(word) == _SHORT else ())
+
+
+_SHORT = 3

@@ -1,0 +1,74 @@
+"""A demonstration told in words: one step or several in a line, and what is said around them."""
+
+from __future__ import annotations
+
+from verbteach.dialogue import acts, commands, demonstration, learning
+from verbteach.dialogue.acts import AskAgain
+from verbteach.dialogue.draft import Draft
+from verbteach.dialogue.moves import Phase
+from verbteach.dialogue.speech import Speech
+from verbteach.language.small_talk import Talk, small_talk
+from verbteach.language.steps import HOW, StepReader, StepReading
+from verbteach.world.plan import Action
+
+_BACK = "To take the last step back, say undo."
+
+
+def hear(draft: Draft, text: str) -> None:
+    """Take what was said during a demonstration: steps, that it is over, or something else.
+
+    A step that could be several is kept in mind until it is said which.
+    """
+    before = draft.state.heard
+    draft.remember(heard="")
+    match small_talk(text):
+        case Talk.DONE:
+            draft.reading = acts.Done.name
+            learning.sum_up(draft)
+        case Talk.GIVE_UP | Talk.ABSENT:
+            draft.reading = acts.Skip.name
+            learning.abandon(draft)
+            commands.go_on(draft)
+        case Talk.BACK:
+            draft.wait(AskAgain(_BACK), Phase.DEMONSTRATION)
+        case Talk():
+            draft.wait(AskAgain(HOW), Phase.DEMONSTRATION)
+        case None:
+            _watch(draft, text, before)
+
+
+def _watch(draft: Draft, text: str, before: str) -> None:
+    """Watch the steps in order; the first that cannot be read or done ends the line."""
+    parts = _reader(draft).parts(text)
+    read: list[Action] = []
+    for number, said in enumerate(parts):
+        reading = _read(draft, said, before if number == 0 else "")
+        if reading.action is None:
+            draft.remember(heard=said if reading.open else "")
+            draft.wait(AskAgain(reading.problem), Phase.DEMONSTRATION)
+            break
+        read.append(reading.action)
+        demonstration.observe(draft, reading.action)
+        if isinstance(draft.acts[-1], acts.RefuseStep):
+            break
+    draft.reading = "; ".join(map(str, read))
+
+
+def _read(draft: Draft, text: str, before: str) -> StepReading:
+    """A step in the domain's words, letters' case ignored, or in the person's own."""
+    setting = draft.mind.setting
+    words = text.strip().removeprefix("(").removesuffix(")").lower().split()
+    names = {name.lower(): name for name in setting.task.domain.actions}
+    ids = {name.lower(): name for name in setting.scene.objects}
+    if words and words[0] in names and all(word in ids for word in words[1:]):
+        return StepReading(Action(names[words[0]], tuple(ids[word] for word in words[1:])))
+    return _reader(draft).read(text, before)
+
+
+def _reader(draft: Draft) -> StepReader:
+    setting = draft.mind.setting
+    shown = draft.episode.demonstrated
+    named = [thing for action in (shown.actions if shown else ()) for thing in action.args]
+    latest_last = tuple(dict.fromkeys(reversed(named)))[::-1]
+    speech = Speech.of(setting, draft.state.world)
+    return StepReader(setting.task, speech.looks, speech.words, setting.vocabulary, latest_last)
