@@ -36,7 +36,7 @@ OPTIONS: Mapping[str, str] = {
     "sessions datasheet": "--out --json",
     "sessions release": "--datasheet --splits --names --json",
     "evaluate": "--policy --noise --noise-reading --grounding --data --test-data --runs"
-    " --criterion --objects --json",
+    " --criterion --objects --mistakes --out --json",
     "benchmark check": "--json",
     "scenes list": "--scenes --json",
     "scenes show": "--scenes --json",

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+from tests.docs.test_commands import documented_keys, keys
 from tests.scenarios.tell_me_dave_folder import OBJECTS, REAL, needs_corpus, write_document
 from tests.sessions.rooms import BOIL, recorded
 from tests.tui.commandline import assert_refused, here
@@ -125,6 +126,8 @@ def test_one_room_cannot_be_held_out(tmp_path: Path) -> None:
         (("--data", "no-such-folder"), "no-such-folder"),
         (("--test-data", "."), "--data"),
         (("--runs", "0"), "--runs"),
+        (("--mistakes",), "--mistakes needs a policy that asks"),
+        (("--policy", "rl", "--mistakes", "--from", "session"), "--mistakes"),
     ],
 )
 def test_wrong_use_is_one_line(words: tuple[str, ...], said: str) -> None:
@@ -143,6 +146,28 @@ def test_policies_that_ask_have_the_same_figures(folder: Path, policy: str) -> N
     assert sum(document["by_type"].values()) == pytest.approx(asked)
     assert (asked > 0) == (policy in {"manual", "random"}) or policy == "split"
     assert scored(*words) == document
+
+
+def test_mistakes_are_put_down_to_causes(folder: Path, tmp_path: Path) -> None:
+    words = ("--data", folder, "--policy", "split", "--noise", "std3", "--mistakes")
+    document = scored(*words, "--out", tmp_path / "pages")
+    plain = scored("--data", folder, "--policy", "split", "--noise", "std3")
+    assert {name: document[name] for name in plain} == plain
+    found = document["mistakes"]
+    assert found["commands"] == document["instances"]
+    assert found["lost"] == pytest.approx(1.0 - document["sji"]["mean"])
+    assert set(found["ceilings"]) == {"corpus", "oracle"}
+    assert found["ceilings"]["corpus"]["own"]["sji"] == pytest.approx(document["sji"]["mean"])
+    assert set(keys(document)) <= documented_keys("evaluate")
+    assert set(keys(found)) <= documented_keys("evaluate")
+    page = Path(document["markdown"]).read_text("utf-8")
+    assert all(cause["meaning"].capitalize() in page for cause in found["causes"])
+    assert Path(document["markdown"]).with_name("mistakes.json").is_file()
+    alone = here("evaluate", *words, "--no-ceilings")
+    assert "SJI LOST" in alone.out
+    assert "oracle" not in alone.out
+    (tmp_path / "file").touch()
+    assert_refused(here("evaluate", *words, "--out", tmp_path / "file"), "file")
 
 
 def test_weights_are_tested_without_learning_to_ask_again(folder: Path) -> None:

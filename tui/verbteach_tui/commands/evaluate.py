@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
 
 import typer
 
+from verbteach_tui.commands.evaluate_mistakes import mistakes_document, print_mistakes
 from verbteach_tui.commands.evaluate_policy import (
     LEARNED,
     RULES,
@@ -87,9 +88,18 @@ def evaluate(
             "--grid", help="Every learner from demonstrations, criterion and condition, into --out."
         ),
     ] = False,
+    mistakes: Annotated[
+        bool,
+        typer.Option(
+            "--mistakes", help="Why a policy that asks loses what it loses, with examples."
+        ),
+    ] = False,
     out: Annotated[
         Path | None,
-        typer.Option(metavar="DIR", help="Where the grid goes; what is there is not done again."),
+        typer.Option(
+            metavar="DIR",
+            help="Where the grid goes, of which nothing is done twice, or the mistakes.",
+        ),
     ] = None,
     as_json: JsonFlag = False,
 ) -> None:
@@ -102,12 +112,14 @@ def evaluate(
 
     if test_data is not None and data is None:
         raise WrongUseError("--test-data needs --data: what to learn from")
-    if grid or out is not None:
+    if grid or (out is not None and not mistakes):
         _grid(grid, data, out, noise, noise_reading, seed or 0, jobs, as_json)
         return
     asked = Question(
         policy, noise or "perfect", noise_reading or "literal", grounding, runs, seed or 0, weights
     )
+    if mistakes:
+        _refuse_mistakes(asked, source)
     with progress() as show:
         if source is not None or asked.about_asking:
             _refuse_she16(
@@ -115,11 +127,12 @@ def evaluate(
             )
             asked.check()
             found = _data(data, None, show)
-            document = (
-                policy_document(asked, found, show)
-                if source is None
-                else taught_document(source, asked, found, show)
-            )
+            if source is not None:
+                document = taught_document(source, asked, found, show)
+            elif mistakes:
+                document = mistakes_document(asked, found, show, out, ceilings)
+            else:
+                document = policy_document(asked, found, show)
         else:
             setup = _setup(policy or "she16", criterion, objects, noise, noise_reading, seed or 0)
             found = _data(data, test_data, show)
@@ -152,7 +165,7 @@ def _grid(
     from verbteach_tui.commands.evaluate_grid import grid
 
     if not wanted or data is None or out is None:
-        raise WrongUseError("--grid needs --data and --out, and --out needs --grid")
+        raise WrongUseError("--grid needs --data and --out, and --out needs --grid or --mistakes")
     levels = (noise,) if noise else tuple(LEVELS)
     readings = (reading,) if reading else READINGS
     with progress() as show:
@@ -161,6 +174,11 @@ def _grid(
         emit(written)
     else:
         tell(columns([(name, str(value)) for name, value in written.items()]))
+
+
+def _refuse_mistakes(asked: Question, source: Path | None) -> None:
+    if source is not None or not asked.about_asking:
+        raise WrongUseError(f"--mistakes needs a policy that asks: {LEARNED}, {', '.join(RULES)}")
 
 
 def _refuse_she16(given: dict[str, object]) -> None:
@@ -250,6 +268,8 @@ def _print(document: dict[str, Any]) -> None:
         phases = [(name, _figure(document[name])) for name in _ASKED]
         kinds = [(name, f"{mean:.2f}") for name, mean in document["by_type"].items()]
         tell(columns([(name.replace("_", " "), figure) for name, figure in phases + kinds]))
+    if "mistakes" in document:
+        print_mistakes(document)
 
 
 _ASKED = ("questions_learning", "questions_execution")

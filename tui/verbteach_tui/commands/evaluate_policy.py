@@ -11,8 +11,9 @@ from verbteach_tui.commands.streams import Progress
 from verbteach_tui.conclusion import WrongUseError
 
 if TYPE_CHECKING:
+    from verbteach.experiments.asked_command import Witness
     from verbteach.experiments.interactive_bench import Bench
-    from verbteach.experiments.interactive_protocol import Policies
+    from verbteach.experiments.interactive_protocol import Config, Policies
     from verbteach.policy.asking_policy import AskingPolicy
     from verbteach.verbs.instance import Instance
     from verbteach_scenarios.grounds import EvaluationData
@@ -50,25 +51,32 @@ class Question:
                 "--grounding own is for --policy she16; there are corpus and oracle"
             )
 
+    def config(self, run: int) -> Config:
+        """The configuration of one run."""
+        from verbteach.experiments.interactive_protocol import Config
 
-def policy_document(asked: Question, data: EvaluationData, show: Progress) -> dict[str, Any]:
-    """A policy learns to ask in some rooms, acquires verbs and is tested in the others."""
+        policy = self.policy or LEARNED
+        return Config(policy, self.noise, self.reading, seed=self.seed, run=run)
+
+
+def policy_document(
+    asked: Question, data: EvaluationData, show: Progress, witness: Witness | None = None
+) -> dict[str, Any]:
+    """A policy learns to ask in some rooms, acquires verbs and is tested in the others.
+
+    ``witness`` is told of the first run's test commands.
+    """
+    from verbteach.experiments.asked_command import unwitnessed
     from verbteach.experiments.figures import Observation
-    from verbteach.experiments.interactive_protocol import Config, run
+    from verbteach.experiments.interactive_protocol import run
     from verbteach.experiments.policy_scores import policy_scores
 
-    bench, policies = _bench(asked, data), _given(asked)
+    bench, policies = bench_for(asked, data), given_policies(asked)
     results = []
     for number in range(asked.runs):
         show("runs", number, asked.runs)
-        config = Config(
-            policy=asked.policy or LEARNED,
-            noise=asked.noise,
-            reading=asked.reading,
-            seed=asked.seed,
-            run=number,
-        )
-        results.append(run(bench, config, policies))
+        told = (witness if number == 0 else None) or unwitnessed
+        results.append(run(bench, asked.config(number), policies, staged(show), told))
     show("runs", asked.runs, asked.runs)
     learning = [
         [Observation("lessons", sum(one.taught.questions.values()) / max(1, one.taught.dialogues))]
@@ -95,7 +103,7 @@ def taught_document(
     if not knowledge.verbs:
         raise WrongUseError(f"{source}: the robot learned no verb in this session")
     rooms = {space.demonstration.id.split("#", 1)[0] for space in knowledge.spaces}
-    bench = _bench(asked, data)
+    bench = bench_for(asked, data)
     commands = _elsewhere(bench, rooms, source)
     pupil = Pupil(confirmed_memory(knowledge), _way_of_asking(asked, taught))
     noise = NoiseModel.named(asked.noise, asked.reading)
@@ -118,14 +126,20 @@ def taught_document(
     }
 
 
-def _bench(asked: Question, data: EvaluationData) -> Bench:
+def staged(show: Progress) -> Callable[[str, int, int, float], None]:
+    """``show`` for the stages of an experiment, whose figures it leaves out."""
+    return lambda stage, done, total, _: show(stage, done, total)
+
+
+def bench_for(asked: Question, data: EvaluationData) -> Bench:
+    """The bench that is asked for."""
     from verbteach.experiments.interactive_bench import BenchParameters
     from verbteach_scenarios.benches import bench_of
 
     return bench_of(data, BenchParameters(oracle=asked.grounding == "oracle"))
 
 
-def _given(asked: Question) -> Policies | None:
+def given_policies(asked: Question) -> Policies | None:
     """The policies of a file of weights; none where they are to be trained, or are rules."""
     from verbteach.experiments.interactive_protocol import Policies
     from verbteach.policy.linear import LinearPolicy
@@ -145,7 +159,7 @@ def _way_of_asking(asked: Question, taught: Taught) -> AskingPolicy:
     from verbteach_scenarios.weights import starting_weights
 
     rules = {rule.name: rule for rule in (ManualPolicy(), RandomPolicy(), SplitPolicy())}
-    given, name = _given(asked), asked.policy or taught.method.policy.name
+    given, name = given_policies(asked), asked.policy or taught.method.policy.name
     if given is not None:
         return given.execution
     if name != LEARNED:

@@ -121,6 +121,7 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "verbteach evaluate --data tell-me-dave",
         "verbteach evaluate --data tell-me-dave --policy she16-all --grounding oracle --json",
         "verbteach evaluate --data tell-me-dave --noise std3 --runs 5",
+        "verbteach evaluate --data tell-me-dave --policy rl --mistakes --out mistakes",
     ),
     "verbteach train": (
         "verbteach train --out weights.json",
