@@ -25,8 +25,13 @@ def load_weights(path: Path) -> PolicyWeights:
     Raises ``WeightsFileError`` where it is none or was made for other features,
     ``OSError`` where it cannot be read.
     """
+    return read_weights(path.read_bytes(), path)
+
+
+def read_weights(raw: bytes, path: Path) -> PolicyWeights:
+    """The weights that a file's bytes say; ``path`` is for the message of ``WeightsFileError``."""
     try:
-        return PolicyWeights.from_json(json.loads(path.read_text(encoding="utf-8")))
+        return PolicyWeights.from_json(json.loads(raw.decode("utf-8")))
     except json.JSONDecodeError as error:
         raise WeightsFileError(path, error.lineno, f"this is no JSON: {error.msg}") from error
     except UnicodeDecodeError as error:

@@ -75,6 +75,11 @@ def _row(path: Path, why: str) -> Row:
         "noise": condition["noise"],
         "noise_reading": condition["noise_reading"],
         "panels": condition["panels"],
+        **{
+            name: condition[name]
+            for name in ("weights", "weights_hash", "freeze")
+            if name in condition
+        },
         "seconds": round(seconds, 1),
         **totals,
         **dict(_prefixed(answers)),

@@ -19,17 +19,27 @@ DESIGNS = (BETWEEN, WITHIN)
 
 @dataclass(frozen=True)
 class Condition:
-    """What is varied. ``panels`` are those that are shown, in the order of ``PANELS``."""
+    """What is varied. ``panels`` are those that are shown, in the order of ``PANELS``.
+
+    ``weights`` is the file that the policy begins with, as the study's file names
+    it, and ``weights_hash`` its SHA-256; with ``freeze`` it learns nothing more.
+    """
 
     id: str
     policy: str = "she16"
     noise: str = "perfect"
     noise_reading: str = "literal"
     panels: tuple[str, ...] = PANELS
+    weights: str = ""
+    weights_hash: str = ""
+    freeze: bool = False
 
     def to_json(self) -> dict[str, Any]:
-        """Plain JSON, as a session's header keeps it."""
-        return {**vars(self), "panels": list(self.panels)}
+        """Plain JSON, as a session's header keeps it; of weights only where there are any."""
+        own = {"weights": self.weights, "weights_hash": self.weights_hash, "freeze": self.freeze}
+        always = {name: value for name, value in vars(self).items() if name not in own}
+        said = {name: value for name, value in own.items() if value}
+        return {**always, "panels": list(self.panels), **said}
 
 
 @dataclass(frozen=True)
@@ -81,7 +91,10 @@ class Lessons:
 
 @dataclass(frozen=True)
 class Study:
-    """A whole study. ``file_hash`` is the SHA-256 of the file it was read from."""
+    """A whole study. ``file_hash`` is the SHA-256 of the file it was read from.
+
+    ``attached`` are the bytes of the weights that its conditions name, by their SHA-256.
+    """
 
     id: str
     title: str
@@ -95,6 +108,7 @@ class Study:
     practice: Lessons | None = None
     questionnaire: Questionnaire = field(default_factory=Questionnaire)
     file_hash: str = ""
+    attached: Mapping[str, bytes] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def consent_hash(self) -> str:

@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
 from verbteach_sessions.errors import SessionError
 from verbteach_sessions.eventlog import Draft, EventLog
@@ -24,6 +25,7 @@ from verbteach_sessions.study.counterbalance import order_of
 from verbteach_sessions.study.design import Study
 from verbteach_sessions.study.errors import VisitError
 from verbteach_sessions.study.progress import VISIT_NAME, Progress
+from verbteach_sessions.study.weights_beside import copy_of_weights
 
 _LOCK_NAME = "enrolment.lock"
 
@@ -43,8 +45,9 @@ def enrol(
 ) -> tuple[EventLog, Progress]:
     """Write down that ``code`` has consented to ``study``; the record, open, and what it says.
 
-    ``source`` is the study's file: a copy stays in ``folder``, so that a later
-    change of the file changes nothing for those who have begun. Raises
+    ``source`` is the study's file: a copy stays in ``folder``, and copies of the
+    weights that it names, so that a later change of a file changes nothing for
+    those who have begun. Raises
     ``UnsafeNameError``, ``VisitError`` and ``StorageError``.
     """
     home = folder / safe_name(code, "participant code")
@@ -63,6 +66,7 @@ def enrol(
             "participant": code,
             "slot": slot,
             "order": list(order_of(study, slot)),
+            **_weights(study),
             "consent": {"answer": kinds.YES, "text": study.consent_hash},
             "created": now.isoformat(timespec="seconds"),
             "interface": interface,
@@ -106,10 +110,19 @@ def _free_slot(folder: Path) -> int:
     return next(slot for slot in range(len(taken) + 1) if slot not in taken)
 
 
+def _weights(study: Study) -> dict[str, Any]:
+    """The weights that conditions begin with, for the record."""
+    named = [[one.id, one.weights_hash] for one in study.conditions if one.weights_hash]
+    return {"weights": named} if named else {}
+
+
 def _keep_copy(folder: Path, study: Study, source: bytes) -> None:
-    copy = copy_of(folder, study.file_hash)
-    if not copy.exists():
-        replace_file(copy, source)
+    copies = {copy_of(folder, study.file_hash): source}
+    for weights_hash, raw in study.attached.items():
+        copies[copy_of_weights(folder, weights_hash)] = raw
+    for copy, raw in copies.items():
+        if not copy.exists():
+            replace_file(copy, raw)
 
 
 @contextmanager

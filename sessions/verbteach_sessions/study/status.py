@@ -100,8 +100,15 @@ def _row(study: Study, home: Path, found: Progress | SessionError) -> Row:
         stopped=STOPPED in found.done.values(),
         here=in_use(home),
         seen=found.seen,
-        changed=found.enrolled["study_hash"] != study.file_hash,
+        changed=_has_changed(study, found),
     )
+
+
+def _has_changed(study: Study, found: Progress) -> bool:
+    """Whether the study's file, or one of weights, is another than when they began."""
+    weights = {one.id: one.weights_hash for one in study.conditions if one.weights_hash}
+    begun = dict(found.enrolled.get("weights", ()))
+    return bool(found.enrolled["study_hash"] != study.file_hash or begun != weights)
 
 
 def _balance(study: Study, rows: Sequence[Row]) -> tuple[Balance, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -25,29 +25,39 @@ from verbteach_sessions.study.errors import Problem, StudyFileError
 from verbteach_sessions.study.questionnaire import END, NASA_TLX, WHEN, Question, Questionnaire
 from verbteach_sessions.study.tables import Notes, Table
 from verbteach_sessions.study.toml_lines import lines_of
+from verbteach_sessions.study.weights_beside import LEARNED, WeightsBeside
 
 _NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
 _PLACE = re.compile(r"\s*\((?:at line (\d+), column \d+|at end of document)\)$")
 MOST_MINUTES = 24 * 60.0
 
 
-def read_study(path: Path, scenes: Collection[str]) -> Study:
+def read_study(path: Path, scenes: Collection[str], kept: Mapping[str, str] | None = None) -> Study:
     """The study in the file ``path``, whose scenes are among ``scenes``.
 
-    Raises :class:`StudyFileError` with all that does not fit, and ``OSError``.
+    ``kept``, for a copy that was made when somebody began: the hashes of the
+    weights by condition, copies of which lie beside it. Raises
+    :class:`StudyFileError` with all that does not fit, and ``OSError``.
     """
-    return parse_study(path.read_bytes(), path, scenes)
+    return parse_study(path.read_bytes(), path, scenes, kept)
 
 
-def parse_study(raw: bytes, path: Path, scenes: Collection[str]) -> Study:
-    """The study that ``raw`` says; ``path`` is for the message. Raises :class:`StudyFileError`."""
+def parse_study(
+    raw: bytes, path: Path, scenes: Collection[str], kept: Mapping[str, str] | None = None
+) -> Study:
+    """The study that ``raw`` says; beside ``path`` lie the files it names.
+
+    Otherwise as :func:`read_study`. Raises :class:`StudyFileError`.
+    """
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = raw[: error.start].count(b"\n") + 1
         raise StudyFileError(path, [Problem(line, "is not UTF-8 text")]) from error
     notes = Notes(lines_of(text))
-    study = _study(Table(_parsed(text, path), (), notes), scenes, sha256(raw).hexdigest())
+    beside = WeightsBeside(path.parent, kept)
+    table = Table(_parsed(text, path), (), notes)
+    study = _study(table, scenes, sha256(raw).hexdigest(), beside)
     if notes.problems:
         raise StudyFileError(path, notes.problems)
     return study
@@ -63,10 +73,10 @@ def _parsed(text: str, path: Path) -> dict[str, Any]:
         raise StudyFileError(path, [problem]) from None
 
 
-def _study(file: Table, scenes: Collection[str], file_hash: str) -> Study:
+def _study(file: Table, scenes: Collection[str], file_hash: str, beside: WeightsBeside) -> Study:
     head = file.table("study")
     design = head.choice("design", DESIGNS, DESIGNS[0])
-    conditions = tuple(map(_condition, file.tables("condition")))
+    conditions = tuple(_condition(one, beside) for one in file.tables("condition"))
     _check_ids(file, "condition", [one.id for one in conditions])
     if not conditions:
         file.fail("condition", "there is none: write at least one [[condition]] with its id")
@@ -85,21 +95,29 @@ def _study(file: Table, scenes: Collection[str], file_hash: str) -> Study:
         practice=practice,
         questionnaire=_questionnaire(file.table("questionnaire")),
         file_hash=file_hash,
+        attached=beside.attached,
     )
     head.close()
     file.close()
     return study
 
 
-def _condition(table: Table) -> Condition:
+def _condition(table: Table, beside: WeightsBeside) -> Condition:
     panels = table.words("panels", PANELS, PANELS)
+    weights, freeze = table.text("weights", ""), table.flag("freeze", False)
     condition = Condition(
         id=_name(table, "id"),
         policy=table.choice("policy", POLICIES),
         noise=table.choice("noise", LEVELS, "perfect"),
         noise_reading=table.choice("noise_reading", READINGS, "literal"),
         panels=tuple(panel for panel in PANELS if panel in panels),
+        weights=weights,
+        weights_hash=beside.read(table, weights),
+        freeze=freeze,
     )
+    if condition.policy != LEARNED and (weights or freeze):
+        name = "weights" if weights else "freeze"
+        table.fail(name, f"is for the policy {LEARNED!r} alone: the others learn no weights")
     table.close()
     return condition
 

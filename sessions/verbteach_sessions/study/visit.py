@@ -81,7 +81,8 @@ class Visit:
         try:
             if progress.enrolled["study"] != study_id:
                 raise VisitError(f"{home}: is of the study {progress.enrolled['study']!r}")
-            study = read_study(copy_of(folder, progress.enrolled["study_hash"]), scenes)
+            copy = copy_of(folder, progress.enrolled["study_hash"])
+            study = read_study(copy, scenes, dict(progress.enrolled.get("weights", ())))
             visit = cls(home, study, log, progress, now)
             created = now().isoformat(timespec="seconds")
             visit._write(kinds.OPENED, {"created": created, "interface": interface})

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from verbteach_sessions.shapes import INTEGER, TEXT, TEXTS, Field, Shape, of_shape
+from verbteach_sessions.shapes import INTEGER, TEXT, TEXTS, Field, Shape, list_of, of_shape, row_of
 
 ENROLLED, OPENED, BEGAN, DONE, FINISHED = "enrolled", "opened", "began", "done", "finished"
 
@@ -21,6 +21,8 @@ CONSENT = Shape(
         Field("text", TEXT, "SHA-256 of the text that was shown, in UTF-8"),
     ),
 )
+_WEIGHTS = list_of(row_of(TEXT, TEXT))
+"""A condition, and the SHA-256 of its file of weights, a copy of which lies beside."""
 _CREATED = Field("created", TEXT, "wall-clock time, ISO 8601, UTC")
 _INTERFACE = Field("interface", TEXT, "`app`, `plain` or `browser`")
 _STEP = Field("step", INTEGER, "which step, from 0")
@@ -37,6 +39,7 @@ VISIT_EVENTS: Mapping[str, Shape] = {
                 Field("participant", TEXT, "the participant's code"),
                 Field("slot", INTEGER, "the place in the order of participants, from 0"),
                 Field("order", TEXTS, "the conditions, in the order they come"),
+                Field("weights", _WEIGHTS, "those that conditions begin with", optional=True),
                 Field("consent", of_shape(CONSENT), "the consent"),
                 _CREATED,
                 _INTERFACE,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+from hashlib import sha256
 from pathlib import Path
 
 import pytest
@@ -9,6 +11,7 @@ import pytest
 from tests.study.files import SMALL
 from tests.tui.room import SETTINGS
 from tests.tui.study.led import SHOW, WHOLE, begun, plainly, sessions_of, study_file, visit_events
+from verbteach_scenarios.weights import STARTING
 from verbteach_sessions.eventlog import LogReader
 from verbteach_sessions.validate import validate
 from verbteach_tui.plain_talk import MisfitError
@@ -182,3 +185,26 @@ def test_the_file_may_change_but_not_for_who_has_begun(tmp_path: Path) -> None:
     run = begun(tmp_path, "pppp", SMALL.replace("Teach.", "Do not teach."))
     assert run.study.instructions == "Teach."
     run.close()
+
+
+def test_a_conditions_weights_are_what_the_robot_asks_by(tmp_path: Path) -> None:
+    """The file's weights, held or not, are in the session's own header, and its hash beside."""
+    weights = json.loads(STARTING.read_text("utf-8"))
+    weights["phases"]["execution"]["weights"][0] = 0.125
+    (tmp_path / "mine.json").write_text(json.dumps(weights), "utf-8")
+    named = 'policy = "rl"\nweights = "mine.json"\nfreeze = true'
+    text = SMALL.replace('policy = "she16"', named).replace('policy = "manual"', named)
+    plainly(tmp_path, "yes\nnext\nopen the fridge\n", text=text)
+    (header,) = [
+        event.data for path in (tmp_path / "records" / "pppp").glob("*/events.jsonl")
+        for event in LogReader(path) if event.seq == 0
+    ]  # fmt: skip
+    execution = header["policy"]["execution"]
+    first = execution["names"].index(weights["phases"]["execution"]["features"][0])
+    assert header["policy"]["frozen"] is True
+    assert execution["mean"][first] == 0.125
+    assert header["study"]["condition"]["weights"] == "mine.json"
+    assert (
+        header["study"]["condition"]["weights_hash"]
+        == sha256((tmp_path / "mine.json").read_bytes()).hexdigest()
+    )

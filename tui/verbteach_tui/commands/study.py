@@ -148,6 +148,7 @@ def _shape(study: Study) -> dict[str, Any]:
         "title": study.title,
         "design": study.design,
         "conditions": [condition.id for condition in study.conditions],
+        "weights": [f"{one.id} {one.weights_hash}" for one in study.conditions if one.weights],
         "orders": len(orders(study)),
         "tasks": len(study.lessons.tasks),
         "scenes": list(study.lessons.scenes),

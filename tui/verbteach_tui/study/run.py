@@ -23,6 +23,7 @@ from verbteach_sessions.study.steps import TEACHING, Kind, Step
 from verbteach_sessions.study.stopping import Standing, ended_by, task_now
 from verbteach_sessions.study.study_file import parse_study
 from verbteach_sessions.study.visit import Visit
+from verbteach_sessions.study.weights_beside import copy_of_weights
 from verbteach_tui.beginning import Beginning, Choices
 
 VIA = "study"
@@ -170,6 +171,11 @@ class StudyRun:
             add_questionnaire(visit.last_session, f"{visit.study.id}{part}", checked, seconds)
         visit.done("answered")
 
+    def _weights(self, condition: Condition) -> Path | None:
+        """The copy that was kept when the participant began, whatever the file says now."""
+        named = condition.weights_hash
+        return copy_of_weights(self.folder, named) if named else None
+
     def _with(self, visit: Visit) -> Beginning:
         """How this step's session begins."""
         condition = visit.condition
@@ -179,6 +185,8 @@ class StudyRun:
             noise_reading=condition.noise_reading,
             seed=visit.seed,
             questions=visit.lessons.stop.questions,
+            weights=self._weights(condition),
+            freeze=condition.freeze,
         )
         return replace(
             self.beginning,
