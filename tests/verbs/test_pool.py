@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from itertools import product
 
 import numpy as np
@@ -142,7 +144,33 @@ def test_the_gain_of_a_question_is_what_its_answers_bring_on_average() -> None:
         ]
         brought = chance * values[0] + (1 - chance) * values[1] - found.decision.values.max()
         # Answers are also edited in here, and new conjunctions offered: never less than foreseen.
-        assert brought >= found.literal_gain(number) - 1e-4
+        assert brought >= found.literal_gains([number])[0] - 1e-4
+
+
+def _without(gone: set[int], goal: set[int]) -> set[int]:
+    return goal - gone
+
+
+def test_gains_are_what_counting_literals_by_hand_gives() -> None:
+    found = pool()
+    now, trust = found.decision, found.parameters.agreement
+
+    def best(edited: Callable[[set[int]], set[int]], weights: list[float]) -> float:
+        choices = [edited(set(np.flatnonzero(row).tolist())) for row in now.choices]
+        truths = [edited(set(np.flatnonzero(row).tolist())) for row in now.truths]
+        return max(
+            sum(w * len(c & t) / max(1, len(c | t)) for t, w in zip(truths, weights, strict=True))
+            for c in choices
+        )
+
+    numbers = range(len(found.literals))
+    for number, gain in zip(numbers, found.literal_gains(numbers), strict=True):
+        says = [trust if row[number] else 1 - trust for row in now.truths]
+        yes = [c * s for c, s in zip(now.chances, says, strict=True)]
+        no = [c * (1 - s) for c, s in zip(now.chances, says, strict=True)]
+        one = {number}
+        after = best(partial(set.union, one), yes) + best(partial(_without, one), no)
+        assert gain == pytest.approx(after - now.values.max(), abs=1e-5)
 
 
 def test_telling_groundings_apart_never_loses() -> None:

@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import islice
 
 import numpy as np
 
@@ -47,11 +48,13 @@ class ExecutionInquiry:
 
     ``prior`` is the grounding as answered so far; ``grounding`` adds what the
     goal belief makes of it. ``static`` are the facts that are not perceived;
+    ``believed`` is what the robot takes for true: plans start there.
     ``foresight`` says what pursuing a goal takes for granted.
     """
 
     source: PoolSource
     static: State
+    believed: State
     belief: Belief
     prior: GroundingBelief
     pool: GoalPool
@@ -71,14 +74,10 @@ class ExecutionInquiry:
     ) -> ExecutionInquiry:
         """Take a command in."""
         chances = joint_chances(grounding, source.analogies.groundings)
-        pool = source.pool(static | belief.believed(), chances)
+        believed = static | belief.believed()
+        pool = source.pool(believed, chances)
         chosen = parameters or InquiryParameters()
-        return cls(source, static, belief, grounding, pool, chosen, foresight)
-
-    @property
-    def believed(self) -> State:
-        """What the robot takes for true: plans start here."""
-        return self.static | self.belief.believed()
+        return cls(source, static, believed, belief, grounding, pool, chosen, foresight)
 
     @cached_property
     def grounding(self) -> GroundingBelief:
@@ -134,12 +133,13 @@ class ExecutionInquiry:
 
     def believing(self, belief: Belief) -> ExecutionInquiry:
         """The state with another belief about the room, and the answers so far."""
-        pool = self.source.pool(self.static | belief.believed(), self.pool.chances)
+        believed = self.static | belief.believed()
+        pool = self.source.pool(believed, self.pool.chances)
         number = {literal: index for index, literal in enumerate(pool.literals)}
         for old, answer in self.pool.answers:
             if self.pool.literals[old] in number:
                 pool = pool.answered(number[self.pool.literals[old]], answer)
-        return replace(self, belief=belief, pool=pool)
+        return replace(self, believed=believed, belief=belief, pool=pool)
 
     def _questions(self) -> Iterator[tuple[RobotAct, dict[str, float]]]:
         for act, features in grounding_questions(
@@ -196,35 +196,39 @@ class ExecutionInquiry:
     def _relevance(self) -> dict[str, float]:
         """How likely what is meant speaks of a thing: its likeliest literal's probability."""
         things = self.source.analogies.surroundings.affordances
+        chances = self.pool.marginals
         wanted: dict[str, float] = {}
-        for literal, chance in zip(self.pool.literals, self.pool.marginals.tolist(), strict=True):
-            for word in literal.fluent.args:
+        for number in np.flatnonzero(chances > 0.2).tolist():
+            chance = float(chances[number])
+            for word in self.pool.literals[number].fluent.args:
                 if word in things:
                     wanted[word] = max(wanted.get(word, 0.0), chance)
-        return {word: chance for word, chance in wanted.items() if chance > 0.2}
+        return wanted
 
     def _goal_questions(self) -> Iterator[tuple[RobotAct, dict[str, float]]]:
+        open_ones = self._open_literals()
+        gains = self.pool.literal_gains(open_ones)
+        for number, gain in zip(open_ones, gains.tolist(), strict=True):
+            chance = self.pool.yes_chance(number)
+            features = {
+                "goal_pred_ynq": 1.0,
+                "goal_pred_ynq.probability": chance,
+                "goal_pred_ynq.doubt": doubt(chance),
+                "ask.gain": gain,
+            }
+            yield GoalPredYnq(self.pool.literals[number]), features
+
+    def _open_literals(self) -> list[int]:
+        """The numbers of the most doubtful literals that nothing was asked about."""
         chances = self.pool.marginals
         least = np.minimum(chances, 1.0 - chances)
         done = {number for number, _ in self.pool.answers}
         asked = {act.literal for act in self.asked if isinstance(act, GoalPredYnq)}
-        left = self.parameters.goal_questions
-        for number in np.argsort(-least, kind="stable").tolist():
-            if not left or least[number] <= self.parameters.doubt:
-                return
-            literal = self.pool.literals[number]
-            if number not in done and literal not in asked:
-                left -= 1
-                yield GoalPredYnq(literal), self._goal_features(number)
-
-    def _goal_features(self, number: int) -> dict[str, float]:
-        chance = self.pool.yes_chance(number)
-        return {
-            "goal_pred_ynq": 1.0,
-            "goal_pred_ynq.probability": chance,
-            "goal_pred_ynq.doubt": doubt(chance),
-            "ask.gain": self.pool.literal_gain(number),
-        }
+        doubtful = int(np.count_nonzero(least > self.parameters.doubt))
+        order = np.argsort(-least, kind="stable")[:doubtful].tolist()
+        literals = self.pool.literals
+        left = (n for n in order if n not in done and literals[n] not in asked)
+        return list(islice(left, self.parameters.goal_questions))
 
     def _asking(self) -> dict[str, float]:
         value, certainty = float(self.pool.decision.values.max()), self.pool.certainty

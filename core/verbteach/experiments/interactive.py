@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import islice
 from typing import Generic, Protocol, Self, TypeVar
 
 import numpy as np
@@ -118,7 +119,7 @@ def carry_out(
     A goal without a plan, or with an empty one, gives way to the next best, up
     to ``attempts`` of them. The plan ends at the first action that cannot be done.
     """
-    for goal, _ in inquiry.pool.goals(attempts):
+    for goal, _ in islice(inquiry.pool.ranked_goals(), attempts):
         answer = human.room.planner.plan(inquiry.believed, goal)
         if isinstance(answer, Plan) and answer.actions:
             return Carried(answer.actions, ied(gold, answer.actions), human.score(answer.actions))

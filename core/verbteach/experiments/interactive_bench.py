@@ -20,6 +20,7 @@ from verbteach.experiments.groundings import Grounder
 from verbteach.experiments.sight import Sight
 from verbteach.experiments.workroom import Workroom, Workrooms
 from verbteach.perception.belief import Belief
+from verbteach.perception.noise import NoiseModel
 from verbteach.verbs.analogy import Analogies
 from verbteach.verbs.examples import Memory
 from verbteach.verbs.instance import Instance
@@ -27,7 +28,7 @@ from verbteach.verbs.pool import PoolParameters, PoolSource
 from verbteach.verbs.resemblance import Said
 from verbteach.verbs.seen_change import seen_change
 from verbteach.world.plan import Action
-from verbteach.world.reliance import foresight
+from verbteach.world.reliance import Foresight, foresight
 
 Joint: TypeAlias = tuple[tuple[str, ...], ...]
 """Joint groundings: an object for each noun phrase."""
@@ -49,6 +50,15 @@ class BenchParameters:
 
 
 @dataclass
+class _Looks:
+    """What was seen in one draw: beliefs of commands and demonstrations by instance id."""
+
+    sight: Sight
+    met: dict[str, Belief] = field(default_factory=dict)
+    shown: dict[str, LearningInquiry] = field(default_factory=dict)
+
+
+@dataclass
 class Bench:
     """Instances in their rooms.
 
@@ -65,6 +75,18 @@ class Bench:
     def __post_init__(self) -> None:
         self._analogies: dict[tuple[str, Joint], Analogies] = {}
         self._gold: dict[str, tuple[Action, ...]] = {}
+        self._foresights: dict[str, Foresight] = {}
+        self._looks: _Looks | None = None
+
+    def sight(self, noise: NoiseModel, seed: int, run: int) -> Sight:
+        """What the robot sees of the instances in one draw; what it saw last is remembered.
+
+        Policies of one run meet the same draw, so it pays to try them in turn.
+        """
+        looks = self._looks
+        if looks is None or not looks.sight.is_draw(noise, seed, run):
+            looks = self._looks = _Looks(Sight.of(noise, self.instances, seed, run))
+        return looks.sight
 
     def room(self, instance: Instance) -> Workroom:
         """Where an instance takes place."""
@@ -85,10 +107,10 @@ class Bench:
         return ExecutionInquiry.begin(
             source,
             room.task.static,
-            _changing(sight.met(instance, room), room),
+            self._met(instance, sight),
             grounding,
             self.parameters.inquiry,
-            foresight(room.task, room.planner),
+            self._foresight(instance),
         )
 
     def _grounded(self, instance: Instance, memory: Memory) -> tuple[Joint, GroundingBelief]:
@@ -113,8 +135,33 @@ class Bench:
             self._analogies[key] = Analogies(said, joint, self.room(instance).surroundings)
         return self._analogies[key]
 
+    def _foresight(self, instance: Instance) -> Foresight:
+        """What goals take for granted in the instance's room."""
+        if instance.task_key not in self._foresights:
+            room = self.room(instance)
+            self._foresights[instance.task_key] = foresight(room.task, room.planner)
+        return self._foresights[instance.task_key]
+
+    def _met(self, instance: Instance, sight: Sight) -> Belief:
+        """What is believed when the command is given, of what may change."""
+        looks = self._looks_of(sight)
+        if instance.id not in looks.met:
+            room = self.room(instance)
+            looks.met[instance.id] = _changing(sight.met(instance, room), room)
+        return looks.met[instance.id]
+
     def demonstration(self, instance: Instance, sight: Sight) -> LearningInquiry:
         """The learning phase after an instance's demonstration, nothing asked yet."""
+        looks = self._looks_of(sight)
+        if instance.id not in looks.shown:
+            looks.shown[instance.id] = self._shown(instance, sight)
+        return looks.shown[instance.id]
+
+    def _looks_of(self, sight: Sight) -> _Looks:
+        kept = self._looks
+        return kept if kept is not None and kept.sight is sight else _Looks(sight)
+
+    def _shown(self, instance: Instance, sight: Sight) -> LearningInquiry:
         room = self.room(instance)
         before, after = sight.demonstrated(instance, room)
         change = seen_change(room.task, before, after, instance.actions)

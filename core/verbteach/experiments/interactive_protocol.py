@@ -33,7 +33,7 @@ from verbteach.experiments.interactive_training import (
     train,
     unheard,
 )
-from verbteach.experiments.sight import Sight, stream
+from verbteach.experiments.sight import stream
 from verbteach.experiments.simulated_human import HumanParameters, SimulatedHuman
 from verbteach.perception.noise import NoiseModel
 from verbteach.policy.asking_on import asking_on
@@ -212,7 +212,7 @@ class _Run:
         self.config = config
         self.policies = policies
         noise = NoiseModel.named(config.noise, config.reading)
-        self.sight = Sight.of(noise, bench.instances, config.seed, config.run)
+        self.sight = bench.sight(noise, config.seed, config.run)
         self.environments = sorted({i.environment for i in bench.instances})
         self.split = InstanceSplit.of(bench.instances, config)
         self.quarter = self.split.practice

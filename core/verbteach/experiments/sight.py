@@ -53,6 +53,10 @@ class Sight:
         frozen = {group: frozenset(fluents) for group, fluents in found.items()}
         return cls(noise, seed, run, frozen)
 
+    def is_draw(self, noise: NoiseModel, seed: int, run: int) -> bool:
+        """Whether this is the draw of that noise, seed and run."""
+        return (self.noise, self.seed, self.run) == (noise, seed, run)
+
     def demonstrated(self, instance: Instance, room: Workroom) -> Seen:
         """Watch the demonstration."""
         states = (instance.start, instance.end)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +32,12 @@ class Pattern:
         return self._hash
 
 
+@lru_cache(maxsize=1 << 16)
+def _one(pattern: Pattern) -> Pattern:
+    """The same object for equal patterns: tables by pattern then find them without comparing."""
+    return pattern
+
+
 @dataclass(frozen=True)
 class Example:
     """A demonstration's whole change, lifted: the top of its hypothesis space."""
@@ -49,7 +55,7 @@ class Example:
     def pattern(self) -> Pattern:
         """How it is bound."""
         shown = self.demonstration
-        return Pattern(self.change, self.binding, shown.phrases, shown.grounding)
+        return _one(Pattern(self.change, self.binding, shown.phrases, shown.grounding))
 
 
 @dataclass(frozen=True)

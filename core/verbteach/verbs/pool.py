@@ -11,9 +11,11 @@ all of them. It knows no question's wording and no policy.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import islice
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +29,7 @@ Bools = NDArray[np.bool_]
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 Singles = NDArray[np.float32]
+Likeness = NDArray[np.floating[Any]]
 
 PLACES: Mapping[str, int] = {
     "On": 0, "In": 0, "Grasping": 1, "on": 0, "in": 0, "beside": 0, "grasping": 1,
@@ -62,6 +65,29 @@ class PoolParameters:
         return self.fit * self.reliability + (1.0 - self.fit) * (1.0 - self.reliability)
 
 
+class Edited(NamedTuple):
+    """How alike choices (rows) and truths (columns) are once one literal is in all, or in none.
+
+    ``neither`` where the literal was in neither of the two, ``either`` where it
+    was in one of them, ``both`` where it was in both.
+    """
+
+    neither: Likeness
+    either: Likeness
+    both: Likeness
+
+    def expected(self, chosen: Bools, wanted: Bools, weights: Floats) -> Floats:
+        """Each choice's expected likeness (choices x literals), truths weighed by ``weights``.
+
+        ``chosen`` (choices x literals) and ``wanted`` (truths x literals) say
+        which have the literal; ``weights`` are truths x literals.
+        """
+        without, within = np.where(wanted, 0.0, weights), np.where(wanted, weights, 0.0)
+        absent = self.neither @ without + self.either @ within
+        present = self.either @ without + self.both @ within
+        return np.asarray(np.where(chosen, present, absent))
+
+
 @dataclass(frozen=True)
 class Decision:
     """The hypotheses that take part, the goals to choose from, and how alike they are.
@@ -84,6 +110,18 @@ class Decision:
         return np.where(self.union > 0, self.shared / np.maximum(self.union, 1), 0).astype(
             np.float32
         )
+
+    @cached_property
+    def if_added(self) -> Edited:
+        """How alike they are once a literal is added to all."""
+        more = self.shared + 1
+        return Edited(more / (self.union + 1), more / np.maximum(self.union, 1), self.jaccard)
+
+    @cached_property
+    def if_taken(self) -> Edited:
+        """How alike they are once a literal is taken out of all."""
+        fewer = np.maximum(self.union - 1, 1)
+        return Edited(self.jaccard, self.shared / fewer, (self.shared - 1) / fewer)
 
     @cached_property
     def values(self) -> Floats:
@@ -158,18 +196,21 @@ class GoalPool:
         union = choices.sum(1)[:, None] + singles.sum(1)[None, :] - shared
         return Decision(singles, chances / chances.sum(), choices, shared, union, order)
 
-    def goals(self, most: int) -> tuple[tuple[Goal, float], ...]:
-        """The best goals with their expected Jaccard index, the best first, without repeats."""
+    def ranked_goals(self) -> Iterator[tuple[Goal, float]]:
+        """The goals with their expected Jaccard index, the best first, without repeats."""
         if self.empty:
-            return ()
-        found: dict[Goal, float] = {}
-        for choice in self.decision.order.tolist():
-            goal = self.goal(self.decision.choices[choice] > 0)
-            if goal:
-                found.setdefault(goal, float(self.decision.values[choice]))
-            if len(found) == most:
-                break
-        return tuple(found.items())
+            return
+        now = self.decision
+        met = {bytes(len(self.literals))}  # a choice of nothing is no goal
+        for choice in now.order.tolist():
+            row = now.choices[choice] > 0
+            if (key := row.tobytes()) not in met:
+                met.add(key)
+                yield self.goal(row), float(now.values[choice])
+
+    def goals(self, most: int) -> tuple[tuple[Goal, float], ...]:
+        """The ``most`` best goals of :meth:`ranked_goals`."""
+        return tuple(islice(self.ranked_goals(), most))
 
     def goal(self, row: Bools) -> Goal:
         """The literals of a row as a goal."""
@@ -199,17 +240,16 @@ class GoalPool:
         trust, chance = self.parameters.agreement, float(self.marginals[literal])
         return chance * trust + (1.0 - chance) * (1.0 - trust)
 
-    def literal_gain(self, literal: int) -> float:
-        """How much asking about a literal raises the expected Jaccard index of the best goal."""
-        now = self.decision
-        mine, theirs = now.choices[:, literal][:, None], now.truths[:, literal][None, :]
-        shared = now.shared - mine * theirs
-        union = now.union - np.maximum(mine, theirs)
-        trust = self.parameters.agreement
-        yes = now.chances * np.where(now.truths[:, literal] > 0, trust, 1.0 - trust)
-        after_yes = (((shared + 1) / (union + 1)) @ yes).max()
-        after_no = ((shared / np.maximum(union, 1)) @ (now.chances - yes)).max()
-        return float(after_yes + after_no - now.values.max())
+    def literal_gains(self, literals: Sequence[int]) -> Floats:
+        """How much asking about each literal raises the expected Jaccard index of the best goal."""
+        now, trust = self.decision, self.parameters.agreement
+        wanted = now.truths[:, literals] > 0
+        yes = now.chances[:, None] * np.where(wanted, trust, 1.0 - trust)
+        no = now.chances[:, None] - yes
+        chosen = now.choices[:, literals] > 0
+        after_yes = now.if_added.expected(chosen, wanted, yes)
+        after_no = now.if_taken.expected(chosen, wanted, no)
+        return np.asarray(after_yes.max(0) + after_no.max(0) - now.values.max())
 
     def grounding_gain(self, parts: Sequence[Bools]) -> float:
         """The same for a question that tells apart ``parts`` of the joint groundings."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 from typing import TypeAlias
 
 from verbteach.world.fluents import Fluent, Goal, State
@@ -36,8 +37,9 @@ def taken_for_granted(task: Task, state: State, actions: Sequence[Action]) -> fr
 
 
 def foresight(task: Task, planner: Planner) -> Foresight:
-    """Foresee by planning."""
+    """Foresee by planning; what was foreseen last is remembered."""
 
+    @lru_cache(maxsize=8)
     def foreseen(state: State, goal: Goal) -> frozenset[Fluent] | None:
         answer = planner.plan(state, goal)
         return taken_for_granted(task, state, answer.actions) if isinstance(answer, Plan) else None

@@ -63,10 +63,13 @@ def test_policies_of_a_run_share_everything_but_the_policy() -> None:
 def test_what_is_reported_beside_is_asked_for() -> None:
     assert set(design().sections()) == {"main"}
     sections = design(extras=("phantom", "harder-teacher")).sections()
-    assert {t.config.reading for t in sections["phantom"]} == {"phantom"}
     assert {t.config.human.error for t in sections["harder_teacher"]} == {0.2}
-    keys = [t.key for tasks in sections.values() for t in tasks]
-    assert len(keys) == len(set(keys))
+    main = {t.key for t in sections["main"]}
+    assert main.isdisjoint(t.key for t in sections["harder_teacher"])
+    for task in sections["phantom"]:
+        perfect = task.config.noise == "perfect"
+        assert task.config.reading == ("literal" if perfect else "phantom")
+        assert (task.key in main) == perfect, "perfect eyes see no phantoms"
 
 
 def test_keys_tell_apart_what_rows_hang_on_and_survive_a_file() -> None:

@@ -36,11 +36,13 @@ def sweep(
 ) -> dict[str, Row]:
     """Score what is not done yet and keep each row as it comes; all rows by key, in tasks' order.
 
-    Raises ``ValueError`` where the mapper gives a row back that nobody asked for.
+    Tasks of one draw of the noise come one after another, since what was seen
+    in the last draw is remembered where they are carried out. Raises
+    ``ValueError`` where the mapper gives a row back that nobody asked for.
     """
     wanted = {task.key: task for task in tasks}
     rows = {row.key: row for row in done if row.key in wanted}
-    left = [task for key, task in wanted.items() if key not in rows]
+    left = sorted((task for key, task in wanted.items() if key not in rows), key=_draw)
     for row in mapper(score, left):
         if row.key not in wanted or row.key in rows:
             raise ValueError(f"the row {row.key} was not asked for, or came twice")
@@ -48,3 +50,9 @@ def sweep(
         if keep is not None:
             keep(row)
     return {key: rows[key] for key in wanted}
+
+
+def _draw(task: Task) -> tuple[int, str, str]:
+    """What tells draws of the noise apart; whole runs come first."""
+    config = task.config
+    return config.run, config.reading, config.noise
