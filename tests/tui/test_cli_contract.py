@@ -24,7 +24,7 @@ OPTIONS: Mapping[str, str] = {
     "sessions list": "--json",
     "sessions show": "--json",
     "sessions validate": "--json",
-    "sessions export": "--to --out --force --splits --json",
+    "sessions export": "--to --out --force --splits --skip-damaged --json",
     "sessions branch": "--at --sessions --json",
     "sessions fit": "--out --check --json",
     "sessions example": "--out --jobs --seed --json",

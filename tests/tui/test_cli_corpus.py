@@ -9,6 +9,7 @@ from unittest.mock import patch
 
 import pytest
 
+from tests.docs.test_commands import documented_keys, keys
 from tests.sessions.corpora import ANNA, MAIL, small_corpus
 from tests.tui.commandline import assert_refused, here
 from verbteach_sessions.exports.formats import FORMATS
@@ -55,6 +56,20 @@ def test_export_prints_what_it_made(folder: Path, tmp_path: Path) -> None:
     assert_refused(here("sessions", "export", folder, "--to", "csv", "--out", out), "--force")
     again = here("sessions", "export", folder, "--to", "csv", "--out", out, "--force")
     assert "turns" in again.out
+
+
+def test_export_says_what_it_left_out(folder: Path, tmp_path: Path) -> None:
+    spoiled = sorted(path for path in folder.iterdir() if path.is_dir())[0]
+    log = spoiled / "events.jsonl"
+    log.write_bytes(log.read_bytes().replace(b"boil", b"bowl", 1))
+    words = ("sessions", "export", folder, "--to", "csv", "--out", tmp_path / "out")
+    assert_refused(here(*words), str(log))
+    ran = here(*words, "--skip-damaged", "--json")
+    assert ran.status == 0
+    assert [one["session"] for one in ran.document["left_out"]] == [spoiled.name]
+    assert f"left out: {spoiled.name}: {log}, line" in ran.err
+    assert ran.document["sessions"] == 2
+    assert set(keys(ran.document)) <= documented_keys("sessions export")
 
 
 def test_export_shows_scenes_on_pages(folder: Path, tmp_path: Path) -> None:

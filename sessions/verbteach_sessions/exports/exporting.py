@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -13,8 +13,10 @@ from verbteach.dialogue.setting import Settings
 from verbteach_sessions.corpus.folder import corpus_of
 from verbteach_sessions.corpus.redactions import Redactions
 from verbteach_sessions.corpus.register import Contribution, register
+from verbteach_sessions.errors import LogError, NotASessionError
+from verbteach_sessions.exports.alias import alias
 from verbteach_sessions.exports.dialogue import Dialogue
-from verbteach_sessions.exports.errors import ExportError
+from verbteach_sessions.exports.errors import ExportError, NothingToExportError
 from verbteach_sessions.exports.folder import new_folder, write_manifest
 from verbteach_sessions.exports.formats import FORMATS, check_installed
 from verbteach_sessions.exports.reading import read_dialogue
@@ -28,7 +30,9 @@ class Request:
     """What to export: the folders of sessions, the format by name, where to.
 
     ``splits`` puts sessions, by their aliases, into parts of the corpus. Pages
-    show scenes where ``settings`` and ``depict`` are given.
+    show scenes where ``settings`` and ``depict`` are given. With
+    ``skip_damaged`` what cannot be read to its end is left out; else it stops
+    the export.
     """
 
     sessions: tuple[Path, ...]
@@ -38,6 +42,15 @@ class Request:
     splits: Mapping[str, str] = field(default_factory=dict)
     settings: Settings | None = None
     depict: Depict | None = None
+    skip_damaged: bool = False
+
+
+@dataclass(frozen=True)
+class LeftOut:
+    """A session that could not be read, by its name, and why."""
+
+    session: str
+    reason: str
 
 
 @dataclass(frozen=True)
@@ -52,11 +65,14 @@ class Exported:
     participants: tuple[str, ...]
     redacted: int
     warnings: tuple[str, ...]
+    left_out: tuple[LeftOut, ...] = ()
 
     def to_json(self) -> dict[str, Any]:
         """The fields, as plain values."""
         lists = {"files": list(self.files), "participants": list(self.participants)}
-        return {**vars(self), **lists, "out": str(self.out), "warnings": list(self.warnings)}
+        lists |= {"warnings": list(self.warnings)}
+        left_out = [asdict(one) for one in self.left_out]
+        return {**vars(self), **lists, "out": str(self.out), "left_out": left_out}
 
 
 def export(request: Request, heard: Heard = lambda done: None) -> Exported:
@@ -87,6 +103,7 @@ def export(request: Request, heard: Heard = lambda done: None) -> Exported:
         participants=reading.participants,
         redacted=reading.redacted,
         warnings=tuple(reading.warnings),
+        left_out=tuple(reading.left_out),
     )
 
 
@@ -103,6 +120,7 @@ class _Reading:
         self.turns = 0
         self.redacted = 0
         self.warnings: list[str] = []
+        self.left_out: list[LeftOut] = []
 
     @property
     def done(self) -> int:
@@ -122,16 +140,27 @@ class _Reading:
             "participants": list(self.participants),
             "turns": self.turns,
             "redacted": self.redacted,
+            "left_out": sorted(alias(one.session) for one in self.left_out),
         }
 
     def dialogues(self) -> Iterator[Dialogue]:
         for path in self._request.sessions:
-            yield self._read(path)
-            self._heard(self.done)
+            try:
+                yield self._read(path)
+            except (LogError, NotASessionError) as error:
+                self._leave_out(path, error)
+            self._heard(self.done + len(self.left_out))
+        if self.left_out and not self.done:
+            raise NothingToExportError(f"none of {len(self.left_out)} sessions can be read")
 
     def note_people(self) -> None:
         """Enter people's sessions in the register of each folder that they came from."""
         register(self._request.to, self._request.out, self._contributions)
+
+    def _leave_out(self, path: Path, error: LogError | NotASessionError) -> None:
+        if not self._request.skip_damaged:
+            raise error
+        self.left_out.append(LeftOut(path.name, str(error)))
 
     def _read(self, path: Path) -> Dialogue:
         folder = corpus_of(path)

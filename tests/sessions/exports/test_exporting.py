@@ -19,6 +19,7 @@ from verbteach_sessions.corpus.redactions import Redactions
 from verbteach_sessions.corpus.register import REGISTER_NAME, exports_of
 from verbteach_sessions.errors import LogError, StorageError
 from verbteach_sessions.exports import csv_table
+from verbteach_sessions.exports.alias import alias
 from verbteach_sessions.exports.errors import (
     ExportError,
     MissingExtraError,
@@ -111,6 +112,28 @@ def test_a_damaged_session_leaves_no_export(mine: tuple[Path, ...], tmp_path: Pa
     assert not (tmp_path / "out").exists()
     assert [path.name for path in tmp_path.iterdir()] == ["sessions"]
     assert not (mine[0].parent / REGISTER_NAME).exists()
+
+
+def test_whole_sessions_can_go_without_the_damaged(mine: tuple[Path, ...], tmp_path: Path) -> None:
+    whole = export(Request((mine[0], mine[2]), "csv", tmp_path / "whole"))
+    log = mine[1] / "events.jsonl"
+    log.write_bytes(log.read_bytes().replace(b"boil", b"bowl", 1))
+    heard: list[int] = []
+    made = export(Request(mine, "csv", tmp_path / "out", skip_damaged=True), heard.append)
+    assert heard == [1, 2, 3]
+    assert (made.sessions, made.participants) == (whole.sessions, (ANNA,))
+    assert [one.session for one in made.left_out] == [mine[1].name]
+    assert "line" in made.left_out[0].reason
+    for name in ("turns.csv", "sessions.csv"):
+        ours, theirs = (tmp_path / one / name for one in ("out", "whole"))
+        assert ours.read_bytes() == theirs.read_bytes()
+    manifest = json.loads((tmp_path / "out" / MANIFEST).read_text("utf-8"))
+    assert manifest["left_out"] == [alias(mine[1].name)]
+    assert exports_of(mine[0].parent, BEN) == ()
+    assert len(exports_of(mine[0].parent, ANNA)) == 2
+    with pytest.raises(NothingToExportError, match="none of 1"):
+        export(Request(mine[1:2], "csv", tmp_path / "none", skip_damaged=True))
+    assert not (tmp_path / "none").exists()
 
 
 def test_a_failing_disk_leaves_the_earlier_export(

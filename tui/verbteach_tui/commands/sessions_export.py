@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
@@ -13,7 +13,9 @@ from verbteach_tui.commands.streams import columns, counting, emit, note, progre
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from verbteach.dialogue.setting import Settings
     from verbteach_sessions.exports.exporting import Exported, Request
+    from verbteach_sessions.exports.sight import Depict
 
 FormatName = Literal[
     "jsonl",
@@ -45,6 +47,10 @@ def export(
         Path | None,
         typer.Option("--splits", metavar="FILE", help="Parts made by 'sessions split'."),
     ] = None,
+    skip_damaged: Annotated[
+        bool,
+        typer.Option("--skip-damaged", help="Leave out sessions that cannot be read, and say so."),
+    ] = False,
     scenes: ScenesFolder = None,
     as_json: JsonFlag = False,
 ) -> None:
@@ -54,11 +60,14 @@ def export(
     from verbteach_sessions.exports.exporting import export as make
 
     found = sessions_at(paths)
-    request = Request(found, to, out, force, _parts(splits), *_sights(to, scenes))
+    settings, depict = _sights(to, scenes)
+    request = Request(found, to, out, force, _parts(splits), settings, depict, skip_damaged)
     with progress() as show:
         exported = make(request, counting(show, "sessions", len(found)))
     for warning in exported.warnings:
         note(f"warning: {warning}")
+    for one in exported.left_out:
+        note(f"left out: {one.session}: {one.reason}")
     if as_json:
         emit(exported.to_json())
     else:
@@ -73,10 +82,10 @@ def _parts(path: Path | None) -> Mapping[str, str]:
     return read_splits(path)
 
 
-def _sights(to: str, scenes: Path | None) -> tuple[Any, ...]:
+def _sights(to: str, scenes: Path | None) -> tuple[Settings | None, Depict | None]:
     """What pages need to show scenes; nothing is loaded for the other formats."""
     if to != "html":
-        return ()
+        return None, None
     from verbteach_scenarios.settings import make_settings
     from verbteach_tui.views.sight import make_depict
 
@@ -86,6 +95,7 @@ def _sights(to: str, scenes: Path | None) -> tuple[Any, ...]:
 def _print(exported: Exported, request: Request) -> None:
     rows: list[tuple[str, object]] = [
         ("sessions", exported.sessions),
+        ("left out", len(exported.left_out)),
         ("turns", exported.turns),
         ("people", len(exported.participants)),
         ("redacted", exported.redacted),
