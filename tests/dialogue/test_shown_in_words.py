@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from tests.dialogue.stage import robot, tell
+from tests.dialogue.stage import provider, robot, taught_to_boil, tell
 from verbteach.dialogue import acts
 from verbteach.dialogue.moves import IllegalMoveError, Phase
+from verbteach.dialogue.parameters import RobotParameters
 from verbteach.dialogue.robot import Robot
+from verbteach.perception.noise import NoiseModel
+from verbteach.policy.demonstration_only import DemonstrationOnlyPolicy
 
 
 def asked(command: str = "boil the water", scene: str = "kitchen-1") -> Robot:
@@ -153,3 +156,35 @@ def test_an_unclear_verdict_is_asked_for_again_in_whole_sentences() -> None:
 def test_a_misfit_says_in_plain_words_what_would_fit(act: acts.TeacherAct, words: str) -> None:
     with pytest.raises(IllegalMoveError, match=words):
         asked().receive(act)
+
+
+def test_a_room_that_lacks_what_was_learned_is_told_why() -> None:
+    pupil = taught_to_boil()
+    turn = tell(pupil, acts.GoToScene("kitchen-4"), acts.Command("boil the water"))
+    assert turn.phase is Phase.DEMONSTRATION
+    assert turn.texts[-1].startswith("I know boiling the water from elsewhere, but I see no burner")
+
+
+def test_what_was_done_is_told_in_the_past() -> None:
+    pupil = taught_to_boil()
+    turn = tell(pupil, acts.GoToScene("kitchen-3"), acts.Command("boil the water"))
+    assert "I went to the kettle, took the kettle" in turn.texts[-1]
+
+
+def test_uncertain_eyes_say_that_they_are_uncertain() -> None:
+    blurred = RobotParameters(seed=2, noise=NoiseModel.named("std3", "literal"))
+    pupil = Robot(provider, DemonstrationOnlyPolicy(), blurred)
+    pupil.open("kitchen-1")
+    tell(pupil, acts.Command("open the fridge"))
+    told = said(pupil, "go to the fridge, open it", "done")
+    assert told.index("the fridge must be open") < told.index("the apple must be"), "handled first"
+
+
+def test_what_uncertain_eyes_only_believe_to_have_changed_is_said_so_and_briefly() -> None:
+    blurred = RobotParameters(seed=3, noise=NoiseModel.named("std3", "literal"))
+    pupil = Robot(provider, DemonstrationOnlyPolicy(), blurred)
+    pupil.open("kitchen-1")
+    tell(pupil, acts.Command("open the fridge"))
+    told = said(pupil, "go to the fridge, open it", "done")
+    assert "It looks to me as if" in told
+    assert "and 3 more things have changed, but I am not sure" in told

@@ -14,12 +14,18 @@ from verbteach.dialogue import acts
 from verbteach.dialogue.acts import DemonstrationReason, Outcome, RobotAct
 from verbteach.dialogue.demonstration import ordered
 from verbteach.dialogue.draft import Draft
+from verbteach.dialogue.lacking import lacking
 from verbteach.dialogue.speech import Speech
 from verbteach.dialogue.state import EpisodeState
 from verbteach.dialogue.worth import spoken, without_departures
 from verbteach.language.distinguish import glimpse
+from verbteach.language.first_person import first_person
 from verbteach.language.morphology import listing
+from verbteach.perception.noise import NoiseModel
 from verbteach.world.fluents import Goal, Literal
+
+_NAMED = 3
+"""Changes that are told beside the goal; the rest are counted, and listed where it is edited."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +54,7 @@ def word_turn(draft: Draft) -> tuple[str, ...]:
     """
     speech = Speech.of(draft.mind.setting, draft.state.world)
     about = _About(speech, draft, draft.state.episode)
-    return tuple(_sentence(act, about) for act in draft.acts)
+    return tuple(first_person(_sentence(act, about)) for act in draft.acts)
 
 
 def _sentence(act: RobotAct, about: _About) -> str:
@@ -120,7 +126,7 @@ def _select_hypo(act: acts.SelectHypo, about: _About) -> str:
     told = without_departures(ordered(act.goal))
     goal = listing([about.speech.words.describe(one) for one in told])
     done = about.draft.trace.done if about.draft.trace else act.plan
-    steps = listing([about.speech.words.action(step) for step in done])
+    steps = listing([about.speech.words.did(step) for step in done])
     did = f" I {steps}." if steps else ""
     return f"I take {about.doing} to mean that {goal}.{did} Was that right?"
 
@@ -133,7 +139,19 @@ def _report_execution(act: acts.ReportExecution, about: _About) -> str:
 
 def _request_demonstration(act: acts.RequestDemonstration, about: _About) -> str:
     restored = "I have put everything back as it was before. " if act.restored else ""
-    return _REQUESTS[act.reason].format(todo=about.todo, doing=about.doing, restored=restored)
+    return _REQUESTS[act.reason].format(
+        todo=about.todo, doing=about.doing, restored=restored, misfit=_misfit(act, about)
+    )
+
+
+def _misfit(act: acts.RequestDemonstration, about: _About) -> str:
+    """Why what was learned of the verb cannot be done here, as far as the robot knows."""
+    if act.reason is not DemonstrationReason.NO_HYPOTHESIS:
+        return ""
+    missing = lacking(about.draft)
+    if not missing:
+        return "nothing that I learned of it fits here"
+    return f"I see no {listing(list(missing), 'or')} here"
 
 
 def _observe_step(act: acts.ObserveStep, about: _About) -> str:
@@ -177,21 +195,41 @@ def _revise_verb(act: acts.ReviseVerb, about: _About) -> str:
 def _include_fluent(act: acts.IncludeFluent, about: _About) -> str:
     if not act.goal:
         return f"Then {about.doing} asks for nothing at all. Keep something, show me again or skip."
-    must = about.speech.words.goal(without_departures(ordered(act.goal)))
+    told = without_departures(_shown_first(act.goal, about))
+    must = listing([about.speech.words.must(literal) for literal in told])
     return f"So after {about.doing}, {must}.{_need_not(about, act.goal)} Right?"
 
 
+def _shown_first(goal: Goal, about: _About) -> list[Literal]:
+    """In the order they are told; of uncertain eyes, what was handled comes before the rest."""
+    if _sees_well(about):
+        return list(ordered(goal))
+    shown = about.episode.demonstrated if about.episode else None
+    handled = {thing for action in (shown.actions if shown else ()) for thing in action.args}
+    return sorted(ordered(goal), key=lambda literal: handled.isdisjoint(literal.fluent.args))
+
+
+def _sees_well(about: _About) -> bool:
+    return about.draft.mind.parameters.noise == NoiseModel()
+
+
 def _need_not(about: _About, goal: Goal) -> str:
-    """What changed as well and is not kept, told once so that a teacher can object."""
+    """What changed as well and is not kept, told once so that a teacher can object.
+
+    A robot with uncertain eyes may only believe that it changed, and says so.
+    """
     read_back = about.episode.read_back if about.episode else None
     if not read_back or not read_back.whole - goal:
         return ""
-    told = without_departures(ordered(read_back.whole | goal))
-    rest = [literal for literal in told if literal not in goal]
+    told = without_departures(_shown_first(read_back.whole | goal, about))
+    rest = [about.speech.words.became(literal) for literal in told if literal not in goal]
     if not rest:
         return ""
-    changes = about.speech.words.changes(rest)
-    return f" I take it as the way there, not as the goal, that {changes}."
+    more = [f"{len(rest) - _NAMED} more things have changed"] if len(rest) > _NAMED + 1 else []
+    changes = listing([*rest[: _NAMED if more else None], *more])
+    if _sees_well(about):
+        return f" I take it as the way there, not as the goal, that {changes}."
+    return f" It looks to me as if {changes}, but I am not sure, and keep it out of the goal."
 
 
 def _revise_goal(act: acts.ReviseGoal, about: _About) -> str:
@@ -239,7 +277,7 @@ _DETERMINERS = frozenset({
 _REQUESTS: Mapping[DemonstrationReason, str] = {
     DemonstrationReason.UNKNOWN_VERB: ("I don't know how to {todo}, could you show me an example?"),
     DemonstrationReason.NO_HYPOTHESIS: (
-        "I do not know yet what {doing} asks for here, could you show me?"
+        "I know {doing} from elsewhere, but {misfit}. Could you show me how to do it here?"
     ),
     DemonstrationReason.NO_PLAN: (
         "I know what {doing} should lead to, but I find no way to it from here. Could you show me?"

@@ -41,6 +41,14 @@ _IRREGULAR_PARTICIPLES = pairs(
     "think:thought throw:thrown undo:undone wake:woken wear:worn weave:woven wet:wet win:won "
     "wind:wound wring:wrung write:written"
 )
+_IRREGULAR_PASTS = pairs(
+    "be:was beat:beat begin:began bite:bit blow:blew break:broke choose:chose come:came do:did "
+    "draw:drew drink:drank drive:drove eat:ate fly:flew forget:forgot freeze:froze give:gave "
+    "go:went hide:hid know:knew lie:lay mow:mowed ride:rode ring:rang run:ran see:saw sew:sewed "
+    "shake:shook show:showed speak:spoke steal:stole swim:swam take:took tear:tore throw:threw "
+    "undo:undid wake:woke wear:wore weave:wove write:wrote"
+)
+"""Where the past is another form than the participle."""
 _BASE_OF_PARTICIPLE = {form: verb for verb, form in _IRREGULAR_PARTICIPLES.items() if form != verb}
 _BASE_OF_GERUND = {form: verb for verb, form in _IRREGULAR_GERUNDS.items()}
 
@@ -76,10 +84,16 @@ def _past_participle(verb: str) -> str:
     return verb + ("d" if verb.endswith("e") else "ed")
 
 
+def _past(verb: str) -> str:
+    return _IRREGULAR_PASTS.get(verb) or _past_participle(verb)
+
+
 gerund = _first_word(_gerund)
 """``turn on`` -> ``turning on``."""
 third_person = _first_word(_third_person)
 """``wash`` -> ``washes``."""
+past = _first_word(_past)
+"""``take out`` -> ``took out``."""
 past_participle = _first_word(_past_participle)
 """``take out`` -> ``taken out``."""
 

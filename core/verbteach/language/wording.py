@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from verbteach.language.fallback import action_wording, fluent_wording
 from verbteach.language.frames import Argument, VerbFrame
-from verbteach.language.inflection import gerund, third_person
+from verbteach.language.inflection import gerund, past, third_person
 from verbteach.language.lexicon import FluentWording, Lexicon
 from verbteach.language.morphology import listing
 from verbteach.world.fluents import Fluent, Literal, State
@@ -86,6 +86,10 @@ class Wording:
     def acting(self, action: Action) -> str:
         """``moving to the kettle``."""
         return self._acted(action, gerund)
+
+    def did(self, action: Action) -> str:
+        """``moved to the kettle``, behind "I"."""
+        return self._acted(action, past)
 
     def acts(self, action: Action) -> str:
         """``moves to the kettle``, behind "the robot"."""
