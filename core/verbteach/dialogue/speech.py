@@ -26,7 +26,7 @@ class Speech:
     @classmethod
     def of(cls, setting: Setting, world: State) -> Speech:
         """The words for a setting as the world is now."""
-        return cls(setting, Looks(setting.scene, world, setting.lexicon))
+        return cls(setting, Looks.at(setting.scene, world, setting.lexicon))
 
     @property
     def place(self) -> str:

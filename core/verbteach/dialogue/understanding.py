@@ -264,7 +264,7 @@ def check_object(setting: Setting, object_id: str) -> None:
 
 def _looks(draft: Draft) -> Looks:
     setting = draft.mind.setting
-    return Looks(setting.scene, draft.state.world, setting.lexicon)
+    return Looks.at(setting.scene, draft.state.world, setting.lexicon)
 
 
 _UNREAD: Mapping[Unread, str] = {

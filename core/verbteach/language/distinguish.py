@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import combinations
 
 from verbteach.language.frames import NounPhrase
@@ -36,6 +37,11 @@ def distinguish(object_id: str, looks: Looks, among: Sequence[str] = ()) -> str:
     nothing singles it out, its name with the number of its id: "the mug 2". An
     id that the scene lacks comes back as it is.
     """
+    return _distinguished(object_id, looks, tuple(among))
+
+
+@lru_cache(maxsize=1 << 12)
+def _distinguished(object_id: str, looks: Looks, among: tuple[str, ...]) -> str:
     thing = looks.objects.get(object_id)
     if thing is None:
         return object_id

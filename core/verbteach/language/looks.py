@@ -10,28 +10,27 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache, cached_property, lru_cache
 
 from verbteach.language.fallback import fluent_wording
 from verbteach.language.lexicon import FluentWording, Lexicon
-from verbteach.language.morphology import plural
+from verbteach.language.names import Names, complement
 from verbteach.world.fluents import Fluent, State
 from verbteach.world.scene import Scene, SceneObject
 
-GENERIC = frozenset({"thing", "object", "item", "one", "stuff", "something", "everything"})
 
-# How well a noun fits a name: the name itself, one of the other names, only the
-# name's last word, a word for the same, the kind of thing.
-FIRST_NAME, OTHER_NAME, LAST_WORD, SYNONYM, KIND, ANYTHING = 1.0, 0.5, 0.4, 0.3, 0.25, 0.2
-
-
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Looks:
-    """The words for the objects of ``scene`` in ``state``."""
+    """The words for the objects of ``scene`` in ``state``; equal to itself only."""
 
     scene: Scene
     state: State
     lexicon: Lexicon
+
+    @staticmethod
+    def at(scene: Scene, state: State, lexicon: Lexicon) -> Looks:
+        """The words for a state; those of the last few states are remembered."""
+        return _last(Names.of(scene, lexicon), state)
 
     @property
     def objects(self) -> Mapping[str, SceneObject]:
@@ -40,38 +39,14 @@ class Looks:
 
     # --- names ----------------------------------------------------------
 
+    @cached_property
+    def names(self) -> Names:
+        """What the objects are called, whatever the state."""
+        return Names.of(self.scene, self.lexicon)
+
     def fit(self, object_id: str, noun: str) -> float:
         """How well ``noun``, which may be several words, names the object; 0 not at all."""
-        return self._best_fit(object_id, noun)
-
-    @cached_property
-    def _best_fit(self) -> Callable[[str, str], float]:
-        return cache(lambda object_id, noun: max(self._fits(object_id, noun), default=0.0))
-
-    def _fits(self, object_id: str, noun: str) -> Iterator[float]:
-        names = self._names[object_id]
-        if noun == object_id.lower() or noun in names[:1]:
-            yield FIRST_NAME
-        if noun in names:
-            yield OTHER_NAME
-        if any(name.endswith(f" {noun}") for name in names):
-            yield LAST_WORD
-        if not self._meant_by(noun).isdisjoint(names):
-            yield SYNONYM
-        if self.scene.domain.is_a(self.objects[object_id].type.lower(), noun):
-            yield KIND
-        if noun in GENERIC and self.is_thing(object_id):
-            yield ANYTHING
-
-    @cached_property
-    def _names(self) -> Mapping[str, tuple[str, ...]]:
-        return {thing.id: tuple(map(_plain, thing.names)) for thing in self.objects.values()}
-
-    @cached_property
-    def _meant_by(self) -> Callable[[str], frozenset[str]]:
-        """Words that a noun may stand for; the group's plural names its kinds ("dishes")."""
-        synonyms, none = self.lexicon.synonyms, frozenset[str]()
-        return cache(lambda noun: synonyms.get(noun, none) | synonyms.get(plural(noun), none))
+        return self.names.fitting(noun).get(object_id, 0.0)
 
     def is_thing(self, object_id: str) -> bool:
         """Whether the object is a thing in the room, not one of the domain's values."""
@@ -81,37 +56,33 @@ class Looks:
 
     def has_mark(self, object_id: str, word: str) -> bool:
         """Whether ``word`` describes the object: an attribute, part of a name, or its state."""
-        marks = self._marks[object_id]
-        return word in marks or not self._meant_by(word).isdisjoint(marks)
+        meant = self.names.meant_by(word)
+        return any(
+            word in marks or not meant.isdisjoint(marks)
+            for marks in (self.names.lasting_marks(object_id), self._passing_marks(object_id))
+        )
 
     @cached_property
-    def _marks(self) -> Mapping[str, frozenset[str]]:
-        return {name: frozenset(self._all_marks(name)) for name in self.objects}
+    def _passing_marks(self) -> Callable[[str], frozenset[str]]:
+        return cache(lambda thing: frozenset(self._passing(thing)))
 
-    def _all_marks(self, object_id: str) -> Iterator[str]:
-        for value in self.objects[object_id].attributes.values():
-            yield value.lower()
-        for name in self._names[object_id]:
-            yield from name.split(" ")
-        yield from self._adjectives(object_id)
-        for fluent in self._about.get(object_id, ()):
+    def _passing(self, object_id: str) -> Iterator[str]:
+        """What describes the object only now: "open", "clean", and what it is full of."""
+        about = self._about.get(object_id, ())
+        held = {f.predicate for f in about if f.args == (object_id,)}
+        for predicate, said, denied in self.names.adjectives:
+            word = said if predicate in held else denied
+            if word:
+                yield word
+        for fluent in about:
             for arg in fluent.args[1:]:
                 if arg in self.objects and not self.is_thing(arg):
-                    yield from self._names[arg]
-
-    def _adjectives(self, object_id: str) -> Iterator[str]:
-        """What the wording of the one-place fluents says of the object now: "open", "clean"."""
-        held = {f.predicate for f in self._about.get(object_id, ()) if f.args == (object_id,)}
-        for predicate, wording in self.lexicon.fluents.items():
-            if len(self._parameters(predicate)) == 1:
-                said = _complement(wording.is_true if predicate in held else wording.is_false)
-                if said:
-                    yield said
+                    yield from self.names.of_things[arg]
 
     def states(self, object_id: str) -> tuple[str, ...]:
         """Adjectives of the fluents that are true of the object, in the order of their names."""
         found = (
-            _complement(self.lexicon.fluents[fluent.predicate].is_true)
+            complement(self.lexicon.fluents[fluent.predicate].is_true)
             for fluent in self._about.get(object_id, ())
             if fluent.args == (object_id,) and fluent.predicate in self.lexicon.fluents
         )
@@ -154,10 +125,6 @@ class Looks:
                 found.setdefault(arg, []).append(fluent)
         return {name: tuple(fluents) for name, fluents in found.items()}
 
-    def _parameters(self, predicate: str) -> tuple[object, ...]:
-        found = self.scene.domain.predicates.get(predicate)
-        return tuple(found.parameters) if found else ()
-
     @cached_property
     def _relations(self) -> tuple[tuple[str, str, bool], ...]:
         """Two-place predicates with the words that stand between their arguments."""
@@ -196,17 +163,9 @@ _PLACES = ("on", "in", "next to")
 _NOT_ADJECTIVES = frozenset({"not", "no"})
 
 
-def _plain(name: str) -> str:
-    """A name as noun phrases have it: "child chair" for "child's chair"."""
-    return name.lower().replace("'s ", " ")
-
-
-def _complement(sentence: str) -> str:
-    """What stands behind "{0} is" or "{0} has been": "open", "not hot"; else nothing."""
-    for copula in ("{0} is ", "{0} has been "):
-        if sentence.startswith(copula):
-            return sentence.removeprefix(copula)
-    return ""
+@lru_cache(maxsize=16)
+def _last(names: Names, state: State) -> Looks:
+    return Looks(names.scene, state, names.lexicon)
 
 
 def _between(wording: FluentWording) -> tuple[str, bool] | None:

@@ -7,14 +7,15 @@ the robot asks. The way back, from an object to words, is in ``distinguish``.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from typing import TypeAlias
 
 from verbteach.language.frames import NounPhrase
-from verbteach.language.looks import FIRST_NAME, Looks
+from verbteach.language.looks import Looks
 from verbteach.language.morphology import plural
+from verbteach.language.names import FIRST_NAME
 from verbteach.language.words import NUMBERS, ORDINALS, POSSESSIVES
 
 Candidates: TypeAlias = tuple[tuple[str, float], ...]
@@ -116,9 +117,9 @@ def refer(
             (thing, FIRST_NAME) for thing in dict.fromkeys(latest) if thing in looks.objects
         )
     said = _Said.of(phrase)
-    weights = {thing: _fit(thing, said, looks, spoken) for thing in looks.objects}
+    weights = _weights(said, looks, spoken)
     if not any(weights.values()) and spoken and not said.other:
-        weights = {thing: _fit(thing, said, looks, ()) for thing in looks.objects}
+        weights = _weights(said, looks, ())
     second = _MASS_SENSE if _is_mass(phrase) else _SECOND_SENSE
     return _picked(_best(_sorted_out(weights, looks, role, second)), said, looks, listed)
 
@@ -175,6 +176,28 @@ def _picked(found: Candidates, said: _Said, looks: Looks, listed: Sequence[str])
     return found
 
 
+def _weights(said: _Said, looks: Looks, spoken: Sequence[str]) -> dict[str, float]:
+    """How well it fits each of the things that the noun may name at all."""
+    if said.heads[0] == "one" and spoken:
+        things: Collection[str] = looks.objects
+    else:
+        things = looks.names.matching(_nouns(said))
+    return {thing: _fit(thing, said, looks, spoken) for thing in things}
+
+
+def _nouns(said: _Said) -> Iterator[str]:
+    """Everything that the noun may be, with fewer or more of the words before it."""
+    heads = [*said.heads, *(_longer(said, *said.relations[0]) if said.relations else ())]
+    for head in heads:
+        for start in range(len(said.marks) + 1):
+            yield " ".join([*said.marks[start:], head])
+
+
+def _longer(said: _Said, name: str, inner: NounPhrase) -> list[str]:
+    """The heads with the relation as a part of the name: "a bag of chips"."""
+    return [f"{head} {name} {inner.text}" for head in said.heads]
+
+
 def _size(thing: str, looks: Looks) -> int:
     return _SIZES.get(looks.objects[thing].attributes.get("size", "medium").lower(), 2)
 
@@ -197,8 +220,7 @@ def _named(
     if said.heads[0] == "one" and spoken:
         return _like_the_last(thing, said.marks, looks, spoken), said.relations
     for name, inner in said.relations[:1]:
-        longer = [f"{head} {name} {inner.text}" for head in said.heads]
-        fit = _best_noun_fit(thing, longer, said.marks, looks)
+        fit = _best_noun_fit(thing, _longer(said, name, inner), said.marks, looks)
         if fit:
             return fit, said.relations[1:]
     return _best_noun_fit(thing, said.heads, said.marks, looks), said.relations

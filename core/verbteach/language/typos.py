@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 
 
+@lru_cache(maxsize=1 << 14)
 def distance(one: str, other: str) -> int:
     """Optimal string alignment: insertions, deletions, changes and swaps of neighbours."""
     before: list[int] = []

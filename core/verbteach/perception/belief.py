@@ -7,8 +7,9 @@ taken for true. An answer settles a fluent.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any, NamedTuple
 
 from verbteach.world.fluents import Fluent, State
@@ -64,8 +65,15 @@ class Belief:
 
     def believed(self, threshold: float = BELIEVED) -> State:
         """The fluents strictly above ``threshold``; of exclusive ones only the likeliest."""
-        above = frozenset(f for f, confidence in self.items() if confidence > threshold)
-        return above - self._beaten(above)
+        return self._believed if threshold == BELIEVED else self._above(threshold)
+
+    @cached_property
+    def _believed(self) -> State:
+        return self._above(BELIEVED)
+
+    def _above(self, threshold: float) -> State:
+        above = [f for f, confidence in self.items() if confidence > threshold]
+        return frozenset(above) - self._beaten(above)
 
     def answered(self, fluent: Fluent, truth: bool) -> Belief:
         """The belief after a yes (the fluent at 1, its rivals at 0) or a no (at 0)."""
@@ -101,13 +109,13 @@ class Belief:
         """Read what ``to_json`` wrote. Raises ``ValueError`` on other data."""
         return cls.of({Fluent.parse(text): float(c) for text, c in data.items()}, exclusive)
 
-    def _beaten(self, fluents: State) -> State:
+    def _beaten(self, fluents: Iterable[Fluent]) -> State:
         """Those of ``fluents`` that a likelier rival excludes; among equals the first stays."""
-        if not self.exclusive:
-            return frozenset()
+        ruled = {predicate for rule in self.exclusive for predicate in rule.predicates}
+        rivals = [fluent for fluent in fluents if fluent.predicate in ruled]
         standing: dict[tuple[int, str], Fluent] = {}
         beaten = set()
-        for fluent in sorted(fluents, key=lambda f: (-self[f], f)):
+        for fluent in sorted(rivals, key=lambda f: (-self[f], f)):
             groups = self._groups(fluent)
             if any(group in standing for group in groups):
                 beaten.add(fluent)
