@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -17,21 +16,12 @@ from verbteach.world.fluents import satisfied
 from verbteach.world.simulator import InapplicableError, Unmet, apply
 from verbteach_scenarios.errors import WorldFileError
 from verbteach_scenarios.folders import BUNDLED
+from verbteach_scenarios.lengths import Lengths
 from verbteach_scenarios.lesson_file import LessonFileError, read_lessons
 from verbteach_scenarios.settings import make_settings
 
 CONTENTS = "with"
 """The role in which a word for a thing and for what is in it means what is in it."""
-
-
-@dataclass(frozen=True)
-class Lengths:
-    """How long demonstrations are, in actions; ``sd`` is the population's."""
-
-    mean: float
-    sd: float
-    min: int
-    max: int
 
 
 @dataclass(frozen=True)
@@ -102,7 +92,7 @@ def report(lessons: Sequence[Lesson], problems: Sequence[LessonProblem] = ()) ->
         len(lessons),
         len({lesson.verb for lesson in lessons}),
         len(phrases),
-        _lengths([len(lesson.demonstration) for lesson in lessons]),
+        Lengths.of([len(lesson.demonstration) for lesson in lessons]),
         tuple(problems),
     )
 
@@ -199,11 +189,3 @@ def _misshown(lesson: Lesson, setting: Setting) -> Iterator[str]:
 def _bare(phrase: str) -> str:
     first, _, rest = phrase.lower().partition(" ")
     return rest if first in ("the", "a", "an", "some", "all") and rest else phrase.lower()
-
-
-def _lengths(counts: Sequence[int]) -> Lengths:
-    if not counts:
-        return Lengths(0.0, 0.0, 0, 0)
-    mean = math.fsum(counts) / len(counts)
-    variance = math.fsum((count - mean) ** 2 for count in counts) / len(counts)
-    return Lengths(mean, math.sqrt(variance), min(counts), max(counts))

@@ -15,16 +15,14 @@ from pathlib import Path
 from typing import NamedTuple
 
 from verbteach_sessions import events as kinds
-from verbteach_sessions.content import ContentHash
-from verbteach_sessions.errors import LogError, SessionError
+from verbteach_sessions.account import Account
+from verbteach_sessions.errors import SessionError
 from verbteach_sessions.eventlog import Draft, EventLog, LogReader
 from verbteach_sessions.files import make_private_folder
 from verbteach_sessions.header import Header, Parent
 from verbteach_sessions.header_file import write_header
-from verbteach_sessions.history import History
 from verbteach_sessions.lines import Event
 from verbteach_sessions.names import Now, Random, new_id, utc_now
-from verbteach_sessions.recomputing import EventError, check_fields
 
 _AT_ONCE = 256
 
@@ -92,17 +90,13 @@ class _Own(NamedTuple):
 
 def _fork(path: Path, at: int | None) -> tuple[Parent, str]:
     """The last event up to ``at`` after which nobody owed a reply, and the content up to it."""
-    reader, history, content = LogReader(path), History(), ContentHash()
+    account = Account(path)
+    reader, history = account.reader, account.history
     found: tuple[int, str, str] | None = None
     for event in _up_to(reader, at):
-        try:
-            check_fields(event)
-            history.take(event)
-            content.add(event)
-        except (EventError, ValueError) as error:
-            raise LogError(reader.path, event.seq + 1, str(error)) from error
+        account.take(event)
         if history.at_rest:
-            found = event.seq, reader.position.prev, content.hexdigest
+            found = event.seq, reader.position.prev, account.content.hexdigest
     if history.header is None or found is None:
         raise BranchError(f"{reader.path}: the robot had not spoken by event {at}")
     if at is not None and at >= reader.position.seq:

@@ -11,15 +11,12 @@ from verbteach.dialogue.acts import AskAgain, Learned
 from verbteach.dialogue.moves import Phase
 from verbteach.policy.learned_policy import LearnedPolicy
 from verbteach.verbs.knowledge import VerbKnowledge
-from verbteach_sessions.content import ContentHash
+from verbteach_sessions.account import Account
 from verbteach_sessions.errors import LogError, NotASessionError
-from verbteach_sessions.eventlog import LogReader
 from verbteach_sessions.header import Header, Source
 from verbteach_sessions.history import History
-from verbteach_sessions.lines import Event
 from verbteach_sessions.method import Method, knowledge_of, practised
 from verbteach_sessions.names import safe_name
-from verbteach_sessions.recomputing import EventError, check_fields
 
 Experience = Mapping[tuple[str, str], int]
 
@@ -52,23 +49,23 @@ def taught_by(path: Path) -> Taught:
     Nothing is recomputed: the weights follow from the recorded steps. Raises
     the errors of reading a log.
     """
-    reader = LogReader(path)
-    history, content = History(), ContentHash()
-    for event in reader:
-        _take(reader, history, content, event)
+    account = Account(path)
+    for _ in account:
+        pass
+    history, log = account.history, account.reader.path
     header = history.header
     if header is None or history.current is None:
-        raise NotASessionError(f"{reader.path}: nothing was said in this session")
+        raise NotASessionError(f"{log}: nothing was said in this session")
     records = (*header.data["learned_before"], *history.records())
     try:
         knowledge_of(records)
         method = Header.from_json(header.data).method
         policy = practised(method.policy, records)
     except ValueError as error:
-        raise LogError(reader.path, 0, f"what was learned cannot be read, {error}") from error
+        raise LogError(log, 0, f"what was learned cannot be read, {error}") from error
     # The weights travel in the next session's own header, as they have become.
     verbs = tuple(_without_steps(record) for record in records)
-    source = Source(safe_name(header.data["id"]), content.hexdigest, verbs)
+    source = Source(safe_name(header.data["id"]), account.content.hexdigest, verbs)
     learned = policy if isinstance(policy, LearnedPolicy) else None
     return Taught(source, learned, method, tuple(_asked_while_learning(history)))
 
@@ -95,12 +92,3 @@ _LEARNING = frozenset({Phase.LEARNING.value, Phase.READ_BACK.value})
 
 def _without_steps(record: Mapping[str, Any]) -> Mapping[str, Any]:
     return {name: value for name, value in record.items() if name != "policy"}
-
-
-def _take(reader: LogReader, history: History, content: ContentHash, event: Event) -> None:
-    try:
-        check_fields(event)
-        history.take(event)
-        content.add(event)
-    except (EventError, ValueError) as error:
-        raise LogError(reader.path, event.seq + 1, str(error)) from error

@@ -9,10 +9,9 @@ from __future__ import annotations
 import shutil
 import time
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
-from types import TracebackType
 from typing import Any
 
 from verbteach.dialogue.acts import QUESTIONS, AskAgain, TeacherAct
@@ -165,11 +164,13 @@ class Session:
         raw: str = "",
         via: str = "typed",
         shown_at: float | None = None,
+        in_view: Collection[str] = (),
     ) -> RobotTurn:
         """Let the person act; the robot's turn that then holds.
 
         ``raw`` is what was typed or pressed, ``via`` how, ``shown_at`` the
-        session time at which the turn was shown. Raises ``IllegalMoveError``,
+        session time at which the turn was shown, and ``in_view`` the panels that
+        the person could see since then. Raises ``IllegalMoveError``,
         ``UnknownSceneError``, ``UnknownObjectError``, ``CannotUndoError`` and
         ``StorageError``; log and state are then as they were.
         """
@@ -182,6 +183,7 @@ class Session:
             "via": via,
             "shown_at": shown_at,
             "answered_at": now,
+            **({"in_view": sorted(in_view)} if in_view else {}),
         }
         said = self._perform(act, person, now)
         self.said = self.turn.texts if said is None else said
@@ -194,12 +196,7 @@ class Session:
     def __enter__(self) -> Session:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *error: object) -> None:
         self.close()
 
     def _perform(

@@ -6,12 +6,13 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from statistics import fmean, stdev
+from statistics import fmean
 from typing import Any, TypeAlias
 
 from verbteach.world.plan import Planner
 from verbteach.world.planner import SearchPlanner
 from verbteach.world.task import Task
+from verbteach_scenarios.lengths import Lengths
 from verbteach_scenarios.tell_me_dave.corpus import read_corpus
 from verbteach_scenarios.tell_me_dave.documents import Corpus, Oddity
 from verbteach_scenarios.tell_me_dave.instances import CorpusInstance, instances
@@ -24,24 +25,6 @@ Progress: TypeAlias = Callable[[str, int, int], None]
 
 _REPORTED = 20
 """How often a stage reports, at most, beside its end."""
-
-
-@dataclass(frozen=True)
-class Lengths:
-    """Lengths of action sequences."""
-
-    mean: float
-    sd: float
-    min: int
-    max: int
-
-    @classmethod
-    def of(cls, lengths: Sequence[int]) -> Lengths:
-        """Summarise lengths; all 0 where there is none."""
-        if not lengths:
-            return cls(0.0, 0.0, 0, 0)
-        sd = stdev(lengths) if len(lengths) > 1 else 0.0
-        return cls(fmean(lengths), sd, min(lengths), max(lengths))
 
 
 @dataclass(frozen=True)

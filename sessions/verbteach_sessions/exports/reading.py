@@ -9,14 +9,12 @@ from typing import Any
 
 from verbteach.dialogue.codec import teacher_act_from_json
 from verbteach_sessions import events as kinds
-from verbteach_sessions.content import ContentHash
+from verbteach_sessions.account import Account
 from verbteach_sessions.errors import LogError, NotASessionError
-from verbteach_sessions.eventlog import LogReader
 from verbteach_sessions.exports.alias import alias, encodable, timeless
 from verbteach_sessions.exports.dialogue import ROBOT, TEACHER, Dialogue, Price, Turn
-from verbteach_sessions.history import History, Node
+from verbteach_sessions.history import Node
 from verbteach_sessions.lines import Event
-from verbteach_sessions.recomputing import EventError, check_fields
 from verbteach_sessions.script import spoken
 
 Redact = Callable[[Any], Any]
@@ -36,17 +34,12 @@ def read_dialogue(path: Path, redact: Redact = nothing) -> Dialogue:
     A teacher's act without a reply (the robot failed on it, or the record ends
     there) does not count and is left out.
     """
-    reader = LogReader(path)
-    history, content, turns = History(), ContentHash(), _Turns(lambda v: redact(encodable(v)))
+    account, turns = Account(path), _Turns(lambda value: redact(encodable(value)))
+    reader, history = account.reader, account.history
     last = 0.0
-    for event in reader:
-        try:
-            check_fields(event)
-            history.take(event)
-            content.add(event)
+    for event in account:
+        with account.at(event):
             turns.take(event, history.current)
-        except (EventError, ValueError) as error:
-            raise LogError(reader.path, event.seq + 1, str(error)) from error
         last = event.at
     header = history.header
     if header is None or history.current is None:
@@ -58,7 +51,7 @@ def read_dialogue(path: Path, redact: Redact = nothing) -> Dialogue:
         raise LogError(reader.path, 1, str(error)) from error
     return replace(
         described,
-        content_hash=content.hexdigest,
+        content_hash=account.content.hexdigest,
         ended=history.ended,
         questionnaires=turns.questionnaires,
         seconds=last,

@@ -9,12 +9,9 @@ from verbteach.dialogue.codec import robot_act_from_json, robot_act_to_json, tea
 from verbteach.dialogue.state import RobotState
 from verbteach.dialogue.turn import RobotTurn
 from verbteach_sessions import events as kinds
-from verbteach_sessions.errors import LogError, SessionError
-from verbteach_sessions.eventlog import LogReader
-from verbteach_sessions.history import History
+from verbteach_sessions.account import Account
+from verbteach_sessions.errors import SessionError
 from verbteach_sessions.lines import Event
-from verbteach_sessions.people.recorded import UnknownEventError
-from verbteach_sessions.recomputing import check_fields
 
 
 class DivergedError(SessionError):
@@ -36,20 +33,14 @@ class RecordedTeacher:
 
     def __init__(self, path: Path) -> None:
         """Read a session's folder or log. Raises the errors of reading a log."""
-        reader = LogReader(path)
-        history, robots = History(), dict[int, Event]()
-        for event in reader:
-            try:
-                check_fields(event)
-                history.take(event)
-            except UnknownEventError as error:
-                raise LogError(reader.path, event.seq + 1, str(error)) from error
+        account, robots = Account(path), dict[int, Event]()
+        for event in account:
             if event.type == kinds.ROBOT:
                 robots[event.seq] = event
-        self._path = reader.path
+        self._path = account.reader.path
         self._script = [
             (robots[node.parent.seq], node.teacher)
-            for node in history.effective()
+            for node in account.history.effective()
             if node.parent is not None  # the first turn of all replies to nobody
         ]
         self.said = 0

@@ -10,7 +10,6 @@ import os
 from collections.abc import Callable, Collection
 from datetime import datetime
 from pathlib import Path
-from types import TracebackType
 from typing import Any
 
 from verbteach_sessions.eventlog import Draft, EventLog
@@ -190,12 +189,7 @@ class Visit:
     def __enter__(self) -> Visit:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *error: object) -> None:
         self.close()
 
     def _write(self, kind: str, data: dict[str, Any]) -> None:
