@@ -45,7 +45,8 @@ _YES = """
     right, that is correct, that 's right, that 's correct, that 's it, that is it, that 's the
     one, that is the one, you are right, very good, well done, perfect, good, great, y,
     sure thing, you should, you must, it should be, they should be, it must be, it has to, it has to
-    be, it is so, it has, it was, it will, they have, so it is, i am sure, sounds good
+    be, it is so, it has, it was, it will, they have, so it is, i am sure, sounds good, yea, you got
+    it, i would say so, i would say yes, that is the right one, that 's the right one
 """
 _NO = """
     no, nope, nah, nay, never, wrong, incorrect, false, negative, not really, not at all, not
@@ -57,7 +58,10 @@ _NO = """
     wrong, you do not have to, you do not need to, do not, not necessary, not necessarily, no
     need, not that one, not this one, not that, not it, not good, not correct, not right, bad,
     n, not so, it 's not, you should not, you must not, it should not be, it must not be,
-    they should not be, it has not, it was not, not exactly, not now, not anymore, no longer
+    they should not be, it has not, it was not, not exactly, not now, not anymore, no longer,
+    i am afraid not, do not think so, i do not think it is, i do not think it does, i do not think
+    it should, i would say no, i would say not, it does not have to, it does not have to be, it does
+    not need to, that is the wrong one, that 's the wrong one
 """
 _UNSURE = """
     i do not know, do not know, dunno, i dunno, no idea, i have no idea, no clue, i have no
@@ -66,13 +70,18 @@ _UNSURE = """
     can not say, i can not say, can not see, i can not see, who knows, it depends, depends,
     could be, might be, it could be, it might be, idk, whatever, i have not looked, i forgot, i
     do not remember, i do not care, it does not matter, i can not see it, i do not see it, i could
-    not say, beats me, how should i know, ask me something else
+    not say, beats me, how should i know, ask me something else, could not say, could not tell you,
+    i could not tell you, can not tell you, i can not tell you
 """
 _NEITHER = phrase_list(
     "no problem, no worries, no matter, not only, not just, right away, right now, sure enough"
 )
 """Begin like a yes or a no and are none."""
-_BETWEEN = frozenset({COMMA, STOP}) | word_set("please thanks well oh hm hmm mm um uh er ah eh")
+_BETWEEN = frozenset({COMMA, STOP}) | word_set(
+    "please thanks well oh hm hmm mm um uh er erm ah eh sorry"
+)
+_CANDID = word_set("honestly actually frankly")
+"""May stand anywhere and change nothing."""
 _LINKS = frozenset({"but", "and", "because", "since", "as", "so", "rather", "instead"})
 
 
@@ -92,7 +101,8 @@ def read_answer(text: str) -> AnswerReading:
     stripped = text.strip()
     if stripped and set(stripped) == {"?"}:
         return AnswerReading(Label.UNSURE)
-    tokens = _after(tokenise(_LETTER_N.sub("no", text.lower())), _BETWEEN)
+    said = tokenise(_LETTER_N.sub("no", text.lower()))
+    tokens = _after([token for token in said if token not in _CANDID], _BETWEEN)
     labels: list[Label] = []
     while found := _leading(tokens):
         label, length = found

@@ -62,6 +62,7 @@ _PATTERNS = {
         "you had|would better",
         "do please|-",
         "be a dear|darling|sweetheart and",
+        "do me|us a favour|favor and|-",
         "going to",
         "you|we",
     ),

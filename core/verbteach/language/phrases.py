@@ -160,6 +160,8 @@ class Phrases:
         if token in words.ARTICLES:
             return True
         following = index + 1
+        if token in {"whichever", "whatever"}:
+            return self._begins_nominal(following)
         if token in words.PREDETERMINERS:
             return token != "half" and self._begins_nominal(following)
         return token in words.DEMONSTRATIVES and self._begins_nominal(following)

@@ -8,9 +8,14 @@ from verbteach.language import words
 from verbteach.language.frames import NounPhrase
 from verbteach.language.inflection import base_of_participle
 from verbteach.language.phrases import FULL, HOLDING, NO_ENDS, PLACED, Ends, Phrases
+from verbteach.language.wordlist import word_set
 
 _FREE = frozenset({"whatever", "whichever", "whoever", "everything", "anything", "something"})
 """``throw away whatever is in the sink``: these need no relative pronoun."""
+_HAS = frozenset({"has", "have", "had"})
+_BECOME = frozenset({"been", "become", "gone", "turned", "got", "gotten", "grown"})
+_FETCHED = word_set("took taken brought bought borrowed fetched got grabbed picked pulled removed")
+"""``the cup you took from the shelf``: where it was taken from says which one is meant."""
 
 
 class RelativePhrases(Phrases):
@@ -39,7 +44,8 @@ class RelativePhrases(Phrases):
             return self._relative_clause(phrase, index + 1)
         if self._begins_reduced_relative(index):
             return self._predicate(phrase, index)
-        if phrase.head in _FREE and token in words.COPULAS:
+        free = phrase.head in _FREE or phrase.determiner in _FREE
+        if free and token in words.COPULAS:
             return self._predicate(phrase, index + 1)
         if token in words.SUBJECT_PRONOUNS and phrase.head not in words.PERSONS:
             return self._object_relative(phrase, index)
@@ -52,9 +58,10 @@ class RelativePhrases(Phrases):
             return self._object_relative(phrase, index)
         if token in {"do", "does", "did"} and self.at(index + 1) == "not":
             return self._related(phrase, "not with", index + 3)
-        if token in words.COPULAS:
-            return self._predicate(phrase, index + 1)
-        if token in {"has", "have", "contains", "holds", "had"}:
+        become = token in _HAS and self.at(index + 1) in _BECOME
+        if become or token in words.COPULAS:
+            return self._predicate(phrase, index + 1 + become)
+        if token in {*_HAS, "contains", "holds"}:
             return self._related(phrase, "with", index + 1)
         if token.endswith("s") and self.preposition(index + 1) is not None:
             return self._predicate(phrase, index + 1)
@@ -113,7 +120,11 @@ class RelativePhrases(Phrases):
         base = verb if self.classes.is_verb(verb) else self._uninflected(verb)
         said = f"{subject} {base}"
         after = index + 1 + (self.at(index + 1) in words.PERSONS)
-        return replace(phrase, modifiers=(*phrase.modifiers, said)), after
+        phrase = replace(phrase, modifiers=(*phrase.modifiers, said))
+        source = self.preposition(after)
+        if verb in _FETCHED and source is not None and source[0] in {"from", "out of"}:
+            return self._related(phrase, *source) or (phrase, after)
+        return phrase, after
 
     def _uninflected(self, verb: str) -> str:
         from_past = base_of_participle(verb, self.classes.verbs)

@@ -229,6 +229,8 @@ class Verbs:
         if clause.particle or not self._is_particle_word(clause.verb, token):
             return False
         moves = clause.verb in household.INTRANSITIVE
+        if clause.objects and token in {"down", "up"} and self._at(index + 1) == "from":
+            return self._classes.takes_particle(clause.verb, token)
         if self._at(index + 1) == "of" or self._phrases.is_compound(index):
             return token != "out" and self._compound_is_particle(clause, token, moves)
         object_follows = self._phrases.starts(index + 1) and not self.is_vocative(index + 1)
