@@ -37,7 +37,15 @@ def ceilings_table(analyses: Mapping[str, Analysis]) -> str:
     for mend in MENDS:
         scores = (analysis.score(mend) for analysis in analyses.values())
         rows.append((TITLES[mend], *(f"{one.ied:.3f} / {one.sji:.3f}" for one in scores)))
+    asked = (questions_asked(analysis) for analysis in analyses.values())
+    rows.append(("questions asked, as it went", *(f"{mean:.2f}" for mean in asked)))
     return "\n".join(f"| {' | '.join(row)} |" for row in rows)
+
+
+def questions_asked(analysis: Analysis) -> float:
+    """How many questions were asked, a command."""
+    asked = [len(one.questions) for one in analysis.commands]
+    return sum(asked) / len(asked)
 
 
 def further_questions(analysis: Analysis) -> float:
