@@ -91,8 +91,18 @@ class SimulatedTeacher:
                 return self._correction(state)
 
     @property
-    def _lesson(self) -> Lesson:
+    def first_scene(self) -> str:
+        """Where the first lesson takes place; there has to be one."""
+        return self._lessons[0].scene
+
+    @property
+    def lesson(self) -> Lesson:
+        """The lesson whose command was said last."""
         return self._lessons[self.given - 1]
+
+    def habits(self, question: acts.RobotAct) -> TeacherHabits:
+        """How well a question to the lesson's command is answered."""
+        return self._habits
 
     def _command(self, state: RobotState) -> TeacherAct | None:
         # Lessons are checked: the grammar reads their commands as meant, and no word is a slip.
@@ -112,10 +122,11 @@ class SimulatedTeacher:
     def _answer(self, turn: RobotTurn, state: RobotState) -> TeacherAct:
         question = turn.waiting_act
         asked = len(state.episode.asked) if state.episode else 0
-        draws = np.random.default_rng([self._habits.seed, self.given, asked, 0x7EAC])
+        habits = self.habits(question)
+        draws = np.random.default_rng([habits.seed, self.given, asked, 0x7EAC])
         unsure, wrong = draws.random(2).tolist()
-        patience = self._habits.patience
-        if unsure < self._habits.unsure or (patience is not None and asked >= patience):
+        patience = habits.patience
+        if unsure < habits.unsure or (patience is not None and asked >= patience):
             return acts.Unsure()
         if isinstance(question, acts.NpGrdWhq):
             gold = self._gold(question.np)
@@ -123,7 +134,7 @@ class SimulatedTeacher:
         truth = self._truth(question, state, turn)
         if truth is None:
             return acts.Unsure()
-        return acts.Yes() if truth != (wrong < self._habits.wrong) else acts.No()
+        return acts.Yes() if truth != (wrong < habits.wrong) else acts.No()
 
     def _truth(self, question: acts.RobotAct, state: RobotState, turn: RobotTurn) -> bool | None:
         """The right answer to a yes/no question; None where the lesson does not say."""
@@ -136,9 +147,7 @@ class SimulatedTeacher:
                 return fluent in (state.episode.start if state.episode else state.world)
             case acts.GoalPredYnq(literal=literal) | acts.GoalRelevantYnq(literal=literal):
                 shown = isinstance(question, acts.GoalRelevantYnq)
-                return literal in self._lesson.goal or (
-                    shown and self._needed(literal, state, turn)
-                )
+                return literal in self.lesson.goal or (shown and self._needed(literal, state, turn))
             case acts.PredChangeYnq(literal=literal):
                 before = state.episode.start if state.episode else state.world
                 return literal.holds(state.world) and not literal.holds(before)
@@ -157,10 +166,10 @@ class SimulatedTeacher:
         return judge.goal(start, kept) and not judge.goal(start, kept - {literal})
 
     def _gold(self, phrase: str) -> tuple[str, ...]:
-        return self._lesson.grounding.get(phrase, ())
+        return self.lesson.grounding.get(phrase, ())
 
     def _judge(self) -> Judge:
-        return Judge(self._lesson, self._settings(self._lesson.scene))
+        return Judge(self.lesson, self._settings(self.lesson.scene))
 
     def _judgement(self, state: RobotState) -> TeacherAct:
         episode = state.episode
@@ -175,7 +184,7 @@ class SimulatedTeacher:
             return acts.Skip()
         shown = state.episode.demonstrated if state.episode else None
         done = len(shown.actions) if shown else 0
-        steps = self._lesson.demonstration
+        steps = self.lesson.demonstration
         return acts.Do(steps[done]) if done < len(steps) else acts.Done()
 
     def _correction(self, state: RobotState) -> TeacherAct:
@@ -183,7 +192,7 @@ class SimulatedTeacher:
         episode = state.episode
         if episode is None or episode.read_back is None:
             return acts.Skip()
-        read_back, meant = episode.read_back, self._lesson.goal
+        read_back, meant = episode.read_back, self.lesson.goal
         if self._judge().goal(episode.start, read_back.goal):
             return acts.Good()
         if not read_back.rejected:

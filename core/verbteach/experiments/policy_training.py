@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from verbteach.dialogue.promise import Sureness
 from verbteach.experiments.interactive_bench import Bench
 from verbteach.experiments.interactive_protocol import Config, Learned, learn
 from verbteach.experiments.interactive_training import (
@@ -20,7 +21,11 @@ from verbteach.experiments.interactive_training import (
     TrainingParameters,
     unheard,
 )
+from verbteach.experiments.live_practice import Classroom, Practised, practise
+from verbteach.experiments.pupil import LivePractice
 from verbteach.experiments.simulated_human import HumanParameters
+from verbteach.perception.noise import NoiseModel
+from verbteach.policy.sureness import fitted
 from verbteach.policy.weights_file import Matrix, PolicyWeights
 
 LEARNER_NAMES: tuple[str, ...] = (*LEARNERS, "lspi")
@@ -53,6 +58,53 @@ def with_dialogues(training: TrainingParameters, count: int) -> TrainingParamete
     return replace(
         training, dialogues=count, warm=round(training.warm * count / training.dialogues)
     )
+
+
+def train_live(
+    room: Classroom,
+    schooling: Schooling,
+    practice: LivePractice,
+    source: str,
+    heard: Heard = unheard,
+) -> tuple[PolicyWeights, Sureness]:
+    """Train both policies as they are used: on lessons taught to a live robot.
+
+    Also how sure it may be of what it carries out, from the executions in
+    practice. Of the schooling count noise, reading and seed. Raises
+    ``ValueError`` where there is too little to practise on.
+    """
+    noises = [NoiseModel.named(name, schooling.reading) for name in schooling.noises]
+    practised = practise(
+        room,
+        practice,
+        noises,
+        schooling.seed,
+        lambda done: heard("practice", done, practice.dialogues, 0.0),
+    )
+    weights = PolicyWeights(
+        execution=practised.phases["execution"].weights,
+        learning=practised.phases["learning"].weights,
+        learner=practice.learner,
+        parameters={**asdict(practice), "ridges": dict(practice.ridges)},
+        training=_live_report(room, schooling, source, practised),
+        covariances=_covariances(practised.phases),
+    )
+    return weights, fitted(practised.executions)
+
+
+def _live_report(
+    room: Classroom, schooling: Schooling, source: str, practised: Practised
+) -> dict[str, Any]:
+    return {
+        "source": source,
+        "instances": len(room.lessons),
+        "environments": sorted({lesson.scene for lesson in room.lessons}),
+        "noise": list(schooling.noises),
+        "noise_reading": schooling.reading,
+        "seed": schooling.seed,
+        "goals_kept": practised.goals_right / max(1, practised.goals),
+        "phases": {name: phase_report(one) for name, one in practised.phases.items()},
+    }
 
 
 def train_policies(

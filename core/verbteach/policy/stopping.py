@@ -1,80 +1,174 @@
-"""A stop rule that can promise: execute only where calibration says that it is right often enough.
+"""A stop rule that can promise: how sure the robot has to be for so many executions to be right.
 
-Commands of a calibration set are scored by how sure the robot was when it
-executed and whether the execution was right. Cutting at a score keeps those
-above it; the cut is the lowest for which the share of wrong executions, with
-one wrong one more for the command to come, stays within what was asked for.
-With exchangeable commands the expected share of commands that are executed
-wrongly is then at most ``1 - wanted`` (conformal risk control, Angelopoulos et
-al. 2022; the loss, executed and wrong, falls as the cut rises).
+It is calibrated on the courses of commands that nothing was trained on
+(``courses.py``). For commands that are exchangeable with them a cut keeps two
+bounds, and the lowest cut that keeps both is taken:
+
+* *Of all commands*, at most ``1 - rate`` are carried out wrongly, on average over
+  calibrations and commands to come. Split-conformal: a command's score is the
+  highest cut at which it still goes wrong, and a new command's score exceeds
+  the k-th largest of n with a probability of at most k / (n + 1) (Papadopoulos
+  et al. 2002; Lei et al. 2018). Raising the cut can turn a right execution into
+  a wrong one, since the robot asks on; taking the highest such cut makes the
+  loss fall with the cut all the same, as conformal risk control requires
+  (Angelopoulos et al. 2022).
+* *Of the commands carried out*, at least ``rate`` are right, with a probability of
+  ``CONFIDENCE`` over calibrations. Learn then test (Angelopoulos et al. 2021) with
+  exact binomial tests along a fixed sequence of falling cuts, which begins where
+  half of the commands are carried out and ends at the first that fails. This is
+  what a person takes the promise to mean.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
-from verbteach.dialogue.acts import SelectHypo
-from verbteach.dialogue.decision import Candidate, Decision
-from verbteach.policy.asking_policy import AskingPolicy, questions
+from verbteach.policy.courses import Course, Outcome
+
+CONFIDENCE = 0.8
+"""How often, over calibrations, the share right of what is carried out is as promised."""
+
+START = 0.5
+"""Where the tests begin: at the strictest cut at which such a share of the commands is done."""
+
+
+class UnkeepablePromiseError(ValueError):
+    """No cut keeps the promise, as far as the calibration can tell; the message says why."""
+
+
+class Kept(NamedTuple):
+    """What a cut came to: how many commands, carried out, rightly, and the questions asked."""
+
+    commands: int
+    carried_out: int
+    right: int
+    questions: int
+
+    @property
+    def wrong(self) -> int:
+        """How many were carried out wrongly."""
+        return self.carried_out - self.right
+
+
+def kept(courses: Sequence[Course], cut: float) -> Kept:
+    """How the commands go where the robot acts at ``cut`` or surer."""
+    pieces = [course.at(cut) for course in courses]
+    right = sum(piece.outcome is Outcome.RIGHT for piece in pieces)
+    shown = sum(piece.outcome is Outcome.SHOWN for piece in pieces)
+    return Kept(len(pieces), len(pieces) - shown, right, sum(piece.questions for piece in pieces))
 
 
 @dataclass(frozen=True)
 class Cut:
-    """Execute at ``certainty`` or above; infinite where nothing can be promised."""
+    """Act when at least ``sure``; calibrated on ``lessons`` commands."""
 
-    certainty: float
-    wanted: float
-    calibrated_on: int
-
-
-def calibrate(scores: Sequence[float], right: Sequence[bool], wanted: float) -> Cut:
-    """The lowest cut that keeps the promise. Raises ``ValueError`` unless 0 < wanted < 1."""
-    if not 0.0 < wanted < 1.0:
-        raise ValueError(f"a success rate is between 0 and 1, not {wanted}")
-    pairs = sorted(zip(scores, right, strict=True), key=lambda pair: -pair[0])
-    allowed = (1.0 - wanted) * (len(pairs) + 1)
-    cut, wrong, position = math.inf, 0, 0
-    while position < len(pairs):
-        score = pairs[position][0]
-        while position < len(pairs) and pairs[position][0] == score:
-            wrong += not pairs[position][1]
-            position += 1
-        if wrong + 1 > allowed:
-            break
-        cut = score
-    return Cut(cut, wanted, len(pairs))
+    sure: float
+    lessons: int
 
 
-@dataclass(frozen=True)
-class PromisingPolicy:
-    """Asks on, by another policy's order, while it is less certain than the cut.
+def cut_for(courses: Sequence[Course], rate: float) -> Cut:
+    """The lowest cut that keeps the promise.
 
-    Where no question is left it executes as it must; whether it kept the
-    promise is then for the caller to see (``promised``).
+    Raises ``UnkeepablePromiseError`` where none does, ``ValueError`` unless 0 < rate < 1.
     """
-
-    asking: AskingPolicy
-    cut: Cut
-    name: str = "promising"
-
-    def choose(
-        self, episode: object, candidates: Sequence[Candidate], rng: np.random.Generator
-    ) -> Decision:
-        """Execute if certain enough, else ask what the other policy finds best to ask."""
-        left = questions(candidates)
-        if promised(candidates, self.cut) or not left:
-            return Decision(tuple(candidates), len(candidates) - 1, reason="certain enough")
-        asked = self.asking.choose(episode, [candidates[i] for i in left], rng)
-        return Decision(tuple(candidates), left[asked.chosen], reason="not certain enough")
+    if not 0.0 < rate < 1.0:
+        raise ValueError(f"a success rate is between 0 and 1, not {rate}")
+    return Cut(max(of_all(courses, rate), of_carried_out(courses, rate)), len(courses))
 
 
-def promised(candidates: Sequence[Candidate], cut: Cut) -> bool:
-    """Whether executing now is covered by the promise."""
-    last = candidates[-1]
-    if not isinstance(last.act, SelectHypo):
-        return False
-    return last.features["select_hypo.certainty"] >= cut.certainty
+def of_all(courses: Sequence[Course], rate: float) -> float:
+    """The lowest cut at which at most ``1 - rate`` of all commands are carried out wrongly."""
+    allowed = math.floor((1.0 - rate) * (len(courses) + 1) + 1e-9)
+    if allowed < 1:
+        needed = math.ceil(1.0 / (1.0 - rate) - 1e-9) - 1
+        raise UnkeepablePromiseError(
+            f"{rate:.0%} cannot be promised on {len(courses)} lessons: it takes {needed} or more"
+        )
+    scores = sorted((course.worst for course in courses), reverse=True)
+    score = scores[allowed - 1] if allowed <= len(scores) else -math.inf
+    if score >= 1.0:
+        raise UnkeepablePromiseError(
+            f"{rate:.0%} cannot be promised: too much went wrong however sure the robot was"
+        )
+    return max(0.0, math.nextafter(score, math.inf))
+
+
+def of_carried_out(courses: Sequence[Course], rate: float, confidence: float = CONFIDENCE) -> float:
+    """The lowest cut at which ``rate`` of what is carried out is right, as far as tests tell."""
+    steps = _steps(courses)
+    passed = [_chance(one.wrong, one.carried_out, 1 - rate) <= 1 - confidence for one in steps]
+    enough = START * len(courses)
+    begin = next((i for i, one in enumerate(steps) if one.carried_out >= enough), len(steps))
+    found = list(_unbroken(steps, passed, begin))
+    if not found:
+        raise UnkeepablePromiseError(_why_not(steps, rate, 1 - confidence))
+    return found[-1]
+
+
+class _Step(NamedTuple):
+    """A cut, and what is carried out at it."""
+
+    cut: float
+    carried_out: int
+    wrong: int
+
+
+def _steps(courses: Sequence[Course]) -> list[_Step]:
+    """Every cut at which something changes, from the strictest down; above 1 there is none."""
+    acted = [
+        (below, min(piece.upto, 1.0), piece.outcome is Outcome.WRONG)
+        for course in courses
+        for below, piece in zip(
+            (-math.inf, *(piece.upto for piece in course.pieces)), course.pieces, strict=False
+        )
+        if piece.outcome is not Outcome.SHOWN
+    ]
+    cuts = sorted({upto for _, upto, _ in acted}, reverse=True)
+    every, wrong = (_counted([row for row in acted if row[2] or all_], cuts) for all_ in (1, 0))
+    return [_Step(*row) for row in zip(cuts, every, wrong, strict=True)]
+
+
+def _counted(acted: Sequence[tuple[float, float, bool]], cuts: Sequence[float]) -> list[int]:
+    """How many of the pieces ``(below, upto, wrong)`` each cut falls into."""
+    below = np.sort([row[0] for row in acted])
+    upto = np.sort([row[1] for row in acted])
+    inside = np.searchsorted(below, cuts, "left") - np.searchsorted(upto, cuts, "left")
+    counts: list[int] = inside.tolist()
+    return counts
+
+
+def _unbroken(steps: Sequence[_Step], passed: Sequence[bool], begin: int) -> Iterator[float]:
+    """The cuts from ``begin`` on, down to the first that fails its test."""
+    for step, good in zip(steps[begin:], passed[begin:], strict=True):
+        if not good:
+            return
+        yield step.cut
+
+
+def _chance(wrong: int, among: int, share: float) -> float:
+    """The probability of so few wrong ones or fewer, if a ``share`` of all were wrong."""
+    return math.fsum(
+        math.comb(among, count) * share**count * (1.0 - share) ** (among - count)
+        for count in range(wrong + 1)
+    )
+
+
+def _why_not(steps: Sequence[_Step], rate: float, level: float) -> str:
+    """Too few executions for even a faultless robot to pass, or too many of them wrong."""
+    needed = math.ceil(math.log(level) / math.log(rate))
+    most = max((step.carried_out for step in steps), default=0)
+    if most < needed:
+        return (
+            f"{rate:.0%} cannot be promised: {most} commands were carried out in the calibration,"
+            f" and it takes {needed} or more"
+        )
+    best = max(1 - step.wrong / step.carried_out for step in steps if step.carried_out >= needed)
+    return (
+        f"{rate:.0%} cannot be promised: of what was carried out in the calibration at most"
+        f" {best:.0%} was right, and that has to be clearly more"
+    )

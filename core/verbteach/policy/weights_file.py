@@ -13,7 +13,9 @@ from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
 from verbteach.dialogue import execution_inquiry, learning_inquiry
+from verbteach.policy.calibration import Calibrations
 from verbteach.policy.linear import FeatureSpace, Weights
+from verbteach.policy.sureness import FEATURES as SURE_BY
 
 EXECUTION = FeatureSpace(tuple(execution_inquiry.FEATURES))
 LEARNING = FeatureSpace(tuple(learning_inquiry.FEATURES))
@@ -37,7 +39,7 @@ class PolicyWeights:
     ``covariances`` has a phase's posterior spread (features x features) where
     the learner keeps one; the weights are its mean. ``parameters`` are the
     learner's, ``training`` says on what and how well it learned. All of it is
-    plain JSON.
+    plain JSON. ``calibrations`` are what promises rest on, where there are any.
     """
 
     execution: Weights
@@ -46,9 +48,11 @@ class PolicyWeights:
     parameters: Mapping[str, Any] = field(default_factory=dict)
     training: Mapping[str, Any] = field(default_factory=dict)
     covariances: Mapping[str, Matrix] = field(default_factory=dict)
+    calibrations: Calibrations | None = None
 
     def to_json(self) -> dict[str, Any]:
         """The document; ``from_json`` reads it."""
+        promises = {} if self.calibrations is None else {"promises": self.calibrations.to_json()}
         return {
             "format": FORMAT,
             "version": VERSION,
@@ -59,6 +63,7 @@ class PolicyWeights:
                 "execution": self._phase("execution", self.execution),
                 "learning": self._phase("learning", self.learning),
             },
+            **promises,
         }
 
     def _phase(self, name: str, weights: Weights) -> dict[str, Any]:
@@ -88,7 +93,18 @@ class PolicyWeights:
             parameters=_mapping(document.get("parameters"), "'parameters'"),
             training=_mapping(document.get("training"), "'training'"),
             covariances={name: found for name, found in covariances.items() if found is not None},
+            calibrations=_calibrations(document.get("promises")),
         )
+
+
+def _calibrations(data: object) -> Calibrations | None:
+    """What promises rest on; files from before there were promises have nothing."""
+    if data is None:
+        return None
+    try:
+        return Calibrations.from_json(_mapping(data, "'promises'"), SURE_BY)
+    except ValueError as error:
+        raise WeightsError(f"'promises': {error}; train anew: verbteach train") from error
 
 
 def _mapping(value: object, name: str) -> Mapping[str, Any]:
