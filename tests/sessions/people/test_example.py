@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 
 import pytest
@@ -93,6 +94,14 @@ def test_the_whole_corpus_is_planned_wide(tmp_path: Path) -> None:
 def test_without_a_folder_it_says_how(capsys: pytest.CaptureFixture[str]) -> None:
     assert main([]) == 2
     assert "DIR" in capsys.readouterr().err
+
+
+@pytest.mark.slow  # all of it is held, and then recomputed turn by turn
+def test_every_session_of_the_whole_corpus_is_valid(tmp_path: Path) -> None:
+    made = make_example(tmp_path, ExampleParameters(), jobs=os.cpu_count() or 1)
+    assert len(made) == ExampleParameters().sessions
+    wrong = {path.name: found for path in made if (found := validate(path, settings())).problems}
+    assert wrong == {}
 
 
 @pytest.mark.slow
