@@ -271,6 +271,8 @@ def summary(session: Session) -> dict[str, Any]:
     """What ``teach --json`` prints; counts are of the turns that hold."""
     state = session.robot.state
     totals = state.totals
+    promise = session.header.method.promise
+    made = promise and {"rate": promise.rate, "sure": promise.sure, "lessons": promise.lessons}
     return {
         "session": str(session.path),
         "episodes": totals.episodes,
@@ -280,4 +282,5 @@ def summary(session: Session) -> dict[str, Any]:
         "verbs_learned": list(state.knowledge.verbs),
         "reward": totals.reward,
         "content_hash": session.content_hash,
+        **({"promise": made} if made else {}),
     }

@@ -100,6 +100,13 @@ def test_the_mind_fits_its_panel(width: int) -> None:
     assert all(width_of(row) <= width for row in mind_rows(Mind(), width))
 
 
+def test_the_mind_says_what_it_promises() -> None:
+    text = "acts when at least .73 sure: promised 80%, calibrated on 214 lessons"
+    assert text_of(mind_rows(Mind(promise=text), 80)).startswith(f"It {text}")
+    assert all(width_of(row) <= 24 for row in mind_rows(Mind(promise=text), 24))
+    assert "promised" not in text_of(mind_rows(MIND, 80))
+
+
 def test_the_mind_says_what_changed_what_is_settled_and_what_is_new() -> None:
     text = text_of(mind_rows(MIND, 64))
     assert "red mug  " in text

@@ -18,8 +18,10 @@ from verbteach_tui.conclusion import WrongUseError
 from verbteach_tui.terminal import has_terminal, size_in_browser
 
 if TYPE_CHECKING:
+    from verbteach.dialogue.promise import Promise
     from verbteach.dialogue.setting import Setting, Settings
     from verbteach.policy.learned_policy import LearnedPolicy
+    from verbteach.policy.weights_file import PolicyWeights
     from verbteach.world.scene import Scene
     from verbteach_scenarios.nlp.second_opinion import SecondOpinion
     from verbteach_sessions.header import Source
@@ -37,6 +39,7 @@ class Choices:
     Without a ``policy`` the interface decides.
     ``weights`` is a file for the policy ``rl`` to begin with; with ``freeze`` it
     stays as it is. ``questions`` is the most it asks about one command.
+    ``promise`` is the share of its executions that is to be right.
     """
 
     policy: str | None = None
@@ -47,6 +50,7 @@ class Choices:
     weights: Path | None = None
     freeze: bool = False
     questions: int | None = None
+    promise: float | None = None
 
 
 @dataclass(frozen=True)
@@ -104,12 +108,37 @@ class Beginning:
         parameters = RobotParameters(seed=chosen.seed, noise=noise)
         if chosen.questions is not None:
             parameters = capped(parameters, chosen.questions)
+        promise = None if chosen.promise is None else self._promise(policy, chosen.promise)
         if policy == LEARNED:
-            return Method(self._learned_policy(), parameters, chosen.second_opinion)
+            learned = self._learned_policy()
+            return Method(learned, parameters, chosen.second_opinion, promise)
         if chosen.weights is not None or chosen.freeze:
             raise WrongUseError(f"--weights and --freeze are for --policy {LEARNED}")
         named = Method.named(policy, parameters)
-        return replace(named, second_opinion=chosen.second_opinion)
+        return replace(named, second_opinion=chosen.second_opinion, promise=promise)
+
+    def _promise(self, policy: str, rate: float) -> Promise:
+        """What the calibration that came with the weights supports for such eyes."""
+        from verbteach.policy.calibration import UncalibratedError
+        from verbteach.policy.stopping import UnkeepablePromiseError
+
+        found, chosen = self._weights.calibrations, self.choices
+        if found is None:
+            raise WrongUseError(
+                "--promise: these weights are not calibrated; verbteach train does that"
+            )
+        try:
+            return found.promise(rate, policy, chosen.noise, chosen.noise_reading)
+        except (UncalibratedError, UnkeepablePromiseError) as error:
+            raise WrongUseError(f"--promise: {error}") from error
+
+    @cached_property
+    def _weights(self) -> PolicyWeights:
+        """The file of weights that was chosen, else those that come with the robot."""
+        from verbteach_scenarios.weights import load_weights, starting_weights
+
+        chosen = self.choices.weights
+        return starting_weights() if chosen is None else load_weights(chosen)
 
     @property
     def _usual_policy(self) -> str:
@@ -124,15 +153,13 @@ class Beginning:
 
     def _learned_policy(self) -> LearnedPolicy:
         """As the file of weights has it, else as the earlier session left it, else as it comes."""
-        from verbteach_scenarios.weights import load_weights
         from verbteach_sessions.method import starting_policy
 
         chosen = self.choices
         before = self._taught.policy if self._taught else None
         if chosen.weights is None and before is not None:
             return replace(before, frozen=chosen.freeze)
-        weights = None if chosen.weights is None else load_weights(chosen.weights)
-        return starting_policy(weights, frozen=chosen.freeze)
+        return starting_policy(self._weights, frozen=chosen.freeze)
 
     @property
     def source(self) -> Source | None:

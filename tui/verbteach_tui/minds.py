@@ -6,6 +6,7 @@ from verbteach.dialogue.decision import Candidate, Decision
 from verbteach.dialogue.demonstration import ordered
 from verbteach.dialogue.explanation import label
 from verbteach.dialogue.grounding import GroundingBelief
+from verbteach.dialogue.promise import Promise
 from verbteach.dialogue.speech import Speech
 from verbteach.dialogue.state import RankedGoal, RobotState
 from verbteach.verbs.knowledge import VerbKnowledge
@@ -24,18 +25,21 @@ def mind_of(
     speech: Speech,
     words: Vocabulary,
     previous: Mind | None = None,
+    promise: Promise | None = None,
 ) -> Mind:
     """The mind as it stands; probabilities that differ from ``previous`` say what they were."""
     episode = state.episode
     verbs = known_verbs(state.knowledge, learned_from, words)
+    promised = promise.text if promise else ""
     if episode is None:
-        return Mind(verbs=verbs)
+        return Mind(verbs=verbs, promise=promised)
     before = {belief.phrase: belief for belief in previous.phrases} if previous else {}
     return Mind(
         _phrases(episode.grounding, labels, before),
         _goals(episode.goals, speech),
         _acts(state.turn.decisions[-1], speech) if state.turn.decisions else (),
         verbs,
+        promised,
     )
 
 

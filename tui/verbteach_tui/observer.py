@@ -117,7 +117,7 @@ class Observer:
             moments=_moments(place.setting, speech, state.world, trace, previous),
             depictor=place.depictor,
             mind=mind_of(state, learned_from, wording.labels, speech, place.words,
-                         previous.mind if previous else None),
+                         previous.mind if previous else None, session.promise),
             menu=menu,
             words=place.words,
             wording=wording,

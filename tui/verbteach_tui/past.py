@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
+from verbteach.dialogue.promise import Promise
 from verbteach.dialogue.setting import Settings
 from verbteach.dialogue.state import RobotState
 from verbteach_sessions import events as kinds
@@ -90,6 +91,11 @@ class Past:
     def scene(self) -> str:
         """Where it began."""
         return self._header.scene
+
+    @property
+    def promise(self) -> Promise | None:
+        """What the robot promised of its executions."""
+        return self._header.method.promise
 
     @property
     def state(self) -> RobotState:

@@ -59,7 +59,10 @@ class Talk:
 
     def opening(self) -> list[str]:
         """What stands at the beginning."""
-        return self._robot(self._session.said)
+        promised = [
+            f"{SPEAKERS['note']}: {line}" for line in plain_words.promise_lines(self._snapshot)
+        ]
+        return [*promised, *self._robot(self._session.said)]
 
     def complete(self, text: str) -> list[str]:
         """What ``text`` may become: steps while something is shown."""

@@ -89,13 +89,20 @@ def shown_lines(snapshot: Snapshot) -> list[str]:
 
 def mind_lines(snapshot: Snapshot) -> list[str]:
     """What words may refer to and which goals the robot sees, with their shares."""
-    lines = []
+    lines = promise_lines(snapshot)
     for phrase in snapshot.mind.phrases:
         shares = ", ".join(f"{share.label} {share.share:.0%}" for share in phrase.shares[:5])
         lines.append(f'"{visible(phrase.phrase)}" may be: {shares or "nothing here"}')
     for goal in snapshot.mind.goals[:5]:
         lines.append(f"{goal.share:.0%} sure that the goal is: {'; '.join(goal.conditions)}")
-    return lines or ["The robot has nothing in mind: it waits for a command."]
+    if not snapshot.mind.phrases and not snapshot.mind.goals:
+        lines.append("The robot has nothing in mind: it waits for a command.")
+    return lines
+
+
+def promise_lines(snapshot: Snapshot) -> list[str]:
+    """What the robot promises of its executions, where it does."""
+    return [f"The robot {snapshot.mind.promise}."] if snapshot.mind.promise else []
 
 
 def verb_lines(snapshot: Snapshot) -> list[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from verbteach.dialogue.promise import Promise
 from verbteach.dialogue.setting import Settings
 from verbteach.dialogue.state import RobotState
 from verbteach_sessions.history import Node
@@ -58,6 +59,11 @@ class Watched(Protocol):
         """The hash of what was said so far."""
         ...
 
+    @property
+    def promise(self) -> Promise | None:
+        """What the robot promises of its executions."""
+        ...
+
     def transcript(self) -> tuple[Line, ...]:
         """The lines that hold, in order."""
         ...
@@ -78,6 +84,7 @@ class Live:
         self._session = session
         self.name, self.scene = session.path.name, session.header.scene
         self.settings = session.robot.settings
+        self.promise = session.header.method.promise
         self.transcript, self.turns = session.transcript, session.turns
         self.state_after = session.state_after
 

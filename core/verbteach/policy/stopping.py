@@ -22,7 +22,7 @@ bounds, and the lowest cut that keeps both is taken:
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -101,13 +101,16 @@ def of_all(courses: Sequence[Course], rate: float) -> float:
 def of_carried_out(courses: Sequence[Course], rate: float, confidence: float = CONFIDENCE) -> float:
     """The lowest cut at which ``rate`` of what is carried out is right, as far as tests tell."""
     steps = _steps(courses)
-    passed = [_chance(one.wrong, one.carried_out, 1 - rate) <= 1 - confidence for one in steps]
     enough = START * len(courses)
     begin = next((i for i, one in enumerate(steps) if one.carried_out >= enough), len(steps))
-    found = list(_unbroken(steps, passed, begin))
-    if not found:
+    found: float | None = None
+    for step in steps[begin:]:
+        if _chance(step.wrong, step.carried_out, 1 - rate) > 1 - confidence:
+            break
+        found = step.cut
+    if found is None:
         raise UnkeepablePromiseError(_why_not(steps, rate, 1 - confidence))
-    return found[-1]
+    return found
 
 
 class _Step(NamedTuple):
@@ -140,14 +143,6 @@ def _counted(acted: Sequence[tuple[float, float, bool]], cuts: Sequence[float]) 
     inside = np.searchsorted(below, cuts, "left") - np.searchsorted(upto, cuts, "left")
     counts: list[int] = inside.tolist()
     return counts
-
-
-def _unbroken(steps: Sequence[_Step], passed: Sequence[bool], begin: int) -> Iterator[float]:
-    """The cuts from ``begin`` on, down to the first that fails its test."""
-    for step, good in zip(steps[begin:], passed[begin:], strict=True):
-        if not good:
-            return
-        yield step.cut
 
 
 def _chance(wrong: int, among: int, share: float) -> float:

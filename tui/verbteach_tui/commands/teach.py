@@ -86,6 +86,13 @@ def teach(
     freeze: Annotated[
         bool, typer.Option("--freeze", help="Hold the weights: ask as before, learn only verbs.")
     ] = False,
+    promise: Annotated[
+        float | None,
+        typer.Option(
+            metavar="P",
+            help="Act only where that is right so often, such as .8; ask or be shown elsewhere.",
+        ),
+    ] = None,
     second_opinion: Annotated[
         bool | None,
         typer.Option(
@@ -130,6 +137,7 @@ def teach(
             "--policy": policy,
             "--weights": weights,
             "--freeze": freeze or None,
+            "--promise": promise,
             "--second-opinion": second_opinion,
             "--from": source,
             "--participant": participant,
@@ -145,6 +153,7 @@ def teach(
                 "--policy": policy,
                 "--weights": weights,
                 "--freeze": freeze or None,
+                "--promise": promise,
                 "--second-opinion": second_opinion,
                 "--from": source,
                 "--seed": seed,
@@ -152,6 +161,8 @@ def teach(
                 "--teacher": None if teacher == HUMAN else teacher,
             }
         )
+    if promise is not None and not 0 < promise < 1:
+        raise WrongUseError(f"--promise: a success rate is between 0 and 1, not {promise:g}")
     rates = {"--wrong-answers": wrong, "--dont-know": unsure, "--patience": patience}
     stand_in = None if teacher in (HUMAN, SIMULATED) else stand_in_for(teacher)
     kind = SIMULATED if stand_in and stand_in.kind == FITTED else teacher
@@ -173,6 +184,7 @@ def teach(
             default.second_opinion if second_opinion is None else second_opinion,
             weights,
             freeze,
+            promise=promise,
         ),
         participant=participant,
         before=source,
@@ -190,7 +202,7 @@ def teach(
         "plain": lambda: _plain(beginning, scene, resume, out),
     }
     if stand_in is not None:
-        own = policy or noise or noise_reading or scene or seed is not None or source
+        own = policy or noise or noise_reading or scene or seed is not None or source or promise
         ways = {
             "simulated": lambda: _fitted(beginning, stand_in, scene, resume, lessons or LESSONS),
             "script": lambda: _recorded(beginning, stand_in, scene, resume, bool(own)),

@@ -69,17 +69,20 @@ class KnownVerb(NamedTuple):
 
 @dataclass(frozen=True)
 class Mind:
-    """All of it at one moment."""
+    """All of it at one moment. ``promise`` says what it promises of its executions, if anything."""
 
     phrases: tuple[PhraseBelief, ...] = ()
     goals: tuple[GoalBelief, ...] = ()
     acts: tuple[ActValue, ...] = ()
     verbs: tuple[KnownVerb, ...] = ()
+    promise: str = ""
 
 
 def mind_rows(mind: Mind, width: int) -> list[Row]:
     """The panel's rows; each section has a heading, and nothing is left unexplained."""
     rows: list[Row] = []
+    if mind.promise:
+        rows += wrapped([Span(f"It {mind.promise}", "muted")], width, 2)
     if mind.phrases:
         rows += _section("What the words refer to", rows, width)
         for phrase in mind.phrases:
