@@ -7,7 +7,7 @@ on which worker computed what before.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import islice, product
 from typing import TypeAlias
 
@@ -99,10 +99,16 @@ class Bench:
             self._gold[instance.id] = gold_sequence(instance, room.task, room.planner)
         return self._gold[instance.id]
 
-    def command(self, instance: Instance, sight: Sight, memory: Memory) -> ExecutionInquiry:
-        """The execution phase of an instance's command, nothing asked yet."""
+    def command(
+        self, instance: Instance, sight: Sight, memory: Memory, trust: float = 1.0
+    ) -> ExecutionInquiry:
+        """The execution phase of an instance's command, nothing asked yet.
+
+        ``trust`` is how likely the robot takes an answer about the goal to be right.
+        """
         joint, grounding = self._grounded(instance, memory)
-        source = PoolSource(self._analogies_of(instance, joint), memory, self.parameters.pool)
+        pool = replace(self.parameters.pool, reliability=trust)
+        source = PoolSource(self._analogies_of(instance, joint), memory, pool)
         room = self.room(instance)
         return ExecutionInquiry.begin(
             source,

@@ -60,7 +60,9 @@ class Config:
     the verbs of all others. ``checkpoints``: the tests are also made with these
     shares of the lessons that teach verbs. ``trace`` scores each test command
     after every question, asked on beyond the policy's own end. ``keep_wrong``
-    keeps goals that the human rejected.
+    keeps goals that the human rejected. ``trust`` is the probability with
+    which the robot takes an answer about the goal for right: below
+    ``PoolParameters.edits_from`` it weighs the hypotheses and settles nothing.
     """
 
     policy: str = "rl"
@@ -77,6 +79,7 @@ class Config:
     checkpoints: tuple[float, ...] = ()
     trace: bool = False
     keep_wrong: bool = False
+    trust: float = 1.0
     human: HumanParameters = field(default_factory=HumanParameters)
     training: TrainingParameters = field(default_factory=TrainingParameters)
 
@@ -335,7 +338,7 @@ class _Run:
 
     def _command_practice(self, instance: Instance, memory: Memory) -> Practice[ExecutionInquiry]:
         human, gold = self._human(instance), self.bench.gold(instance)
-        start = self.bench.command(instance, self.sight, memory)
+        start = self.bench.command(instance, self.sight, memory, self.config.trust)
         right_from = self.config.human.right_from
 
         def right(held: Dialogue[ExecutionInquiry]) -> float:
@@ -386,7 +389,7 @@ class _Run:
         self, instance: Instance, memory: Memory, policy: AskingPolicy, trace: bool
     ) -> Tested:
         human, gold = self._human(instance), self.bench.gold(instance)
-        start = Remembering(self.bench.command(instance, self.sight, memory))
+        start = Remembering(self.bench.command(instance, self.sight, memory, self.config.trust))
         rng = self.draws("test", instance.id)
         held = hold(start, policy, human, self.config.training.priced, rng).state.state
         carried = carry_out(held, human, gold)

@@ -64,6 +64,8 @@ def test_what_is_reported_beside_is_asked_for() -> None:
     assert set(design().sections()) == {"main"}
     sections = design(extras=("phantom", "harder-teacher")).sections()
     assert {t.config.human.error for t in sections["harder_teacher"]} == {0.2}
+    assert {t.config.trust for t in sections["harder_teacher"]} == {1.0}
+    assert {t.config.trust for t in sections["harder_teacher_doubted"]} == {0.9}
     main = {t.key for t in sections["main"]}
     assert main.isdisjoint(t.key for t in sections["harder_teacher"])
     for task in sections["phantom"]:

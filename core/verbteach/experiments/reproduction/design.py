@@ -43,7 +43,8 @@ class Design:
     ``folds`` is ``groups`` (each run holds a group of environments out, and in
     ``groups`` runs each has had its turn) or ``all`` (each run holds every
     environment out in turn). ``extras`` are reported beside: the harder
-    reading of the noise, and a teacher of whose yes/no answers 20 % are wrong.
+    reading of the noise, and a teacher of whose yes/no answers the share
+    ``error`` is wrong, first taken at their word and then with ``trust``.
     """
 
     environments: tuple[str, ...]
@@ -57,6 +58,7 @@ class Design:
     extras: tuple[str, ...] = ()
     about: Mapping[str, str] = field(default_factory=dict)
     error: float = 0.2
+    trust: float = 0.9
     base: Config = field(default_factory=Config)
 
     def __post_init__(self) -> None:
@@ -73,10 +75,11 @@ class Design:
             ]
         if "harder-teacher" in self.extras:
             erring = replace(self._plain, human=replace(self.base.human, error=self.error))
-            found["harder_teacher"] = [
-                self._task(run, policy, noise, erring)
-                for run, noise, policy in self._cells(("rl", "manual", "split"), (STUDIED,))
-            ]
+            for name, trust in (("harder_teacher", 1.0), ("harder_teacher_doubted", self.trust)):
+                found[name] = [
+                    self._task(run, policy, noise, replace(erring, trust=trust))
+                    for run, noise, policy in self._cells(("rl", "manual", "split"), (STUDIED,))
+                ]
         if "paper-prices" in self.extras:
             priced = replace(self._plain, training=replace(self.base.training, price=1.0))
             found["paper_prices"] = [

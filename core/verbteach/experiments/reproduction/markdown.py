@@ -34,6 +34,7 @@ def markdown(document: Mapping[str, Any]) -> str:
 BESIDE: Mapping[str, str] = {
     "phantom": "The phantom reading of the noise",
     "harder_teacher": "A teacher of whose yes/no answers 20 % are wrong",
+    "harder_teacher_doubted": "The same teacher, whose answers about the goal are trusted at .9",
     "paper_prices": "The learned policy at the paper's prices of questions",
 }
 

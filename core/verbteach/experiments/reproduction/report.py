@@ -49,8 +49,8 @@ class Report:
             found["figure5"] = figure5(main)
             found["figure5_ied"] = figure5(main, "ied")
             found["per_question"] = per_question(main, STUDIED)
-        for name in ("phantom", "harder_teacher", "paper_prices"):
-            if name in self.rows:
+        for name in self.rows:
+            if name != "main":
                 found[name] = table4(self.rows[name])
         return {**found, **self._about()}
 
