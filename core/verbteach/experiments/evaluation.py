@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeAlias, TypeVar
 
+from verbteach.collecting import without_collecting
 from verbteach.experiments.figures import Figure, Observation, constant, figure
 from verbteach.experiments.folds import Fold, is_development
 from verbteach.experiments.jobs import (
@@ -89,15 +90,16 @@ def compare_criteria(
     the price of one: demonstrations are learned from once, and candidate goals
     gathered once.
     """
-    sight = Sight.of(setup.noise, grounds.instances, setup.seed, run)
-    site = Site(setup, sight, grounds.tasks, grounds.planner)
-    lessons = _learned(grounds, site, mapper)
-    chosen = _criteria(grounds, site, lessons, criteria, mapper)
-    jobs = [
-        (site.only(fold.test), fold.test, [lessons[i.id] for i in fold.train], own)
-        for fold, own in zip(grounds.folds, chosen, strict=True)
-    ]
-    found = list(mapper(test_all, jobs))
+    with without_collecting():
+        sight = Sight.of(setup.noise, grounds.instances, setup.seed, run)
+        site = Site(setup, sight, grounds.tasks, grounds.planner)
+        lessons = _learned(grounds, site, mapper)
+        chosen = _criteria(grounds, site, lessons, criteria, mapper)
+        jobs = [
+            (site.only(fold.test), fold.test, [lessons[i.id] for i in fold.train], own)
+            for fold, own in zip(grounds.folds, chosen, strict=True)
+        ]
+        found = list(mapper(test_all, jobs))
     return {name: sorted(trial for one in found for trial in one[name]) for name in criteria}
 
 

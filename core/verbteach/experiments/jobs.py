@@ -29,7 +29,7 @@ from verbteach.verbs.regression import Judged
 from verbteach.verbs.selection import ranked, select
 from verbteach.verbs.space import Demonstration, FrameKey, HypothesisSpace
 from verbteach.world.fluents import Goal, State
-from verbteach.world.plan import Action, Plan
+from verbteach.world.plan import Action, Plan, PlanFailure
 from verbteach.world.task import Task
 
 
@@ -252,12 +252,15 @@ class _Test:
         bounds = [judge.most(one.goal) if sees else 1.0 for one in self.gathered]
         best, at = 0.0, len(bounds)
         plan: tuple[Action, ...] = ()
+        worths: dict[Plan | PlanFailure, float] = {}
         for index in sorted(range(len(bounds)), key=lambda i: (-bounds[i], i)):
             if (bounds[index], -index) <= (best, -at):
                 break
             answer = planner.plan(self.state, self.gathered[index].goal)
             actions = answer.actions if isinstance(answer, Plan) else ()
-            worth = judge.sji(actions)
+            worth = worths.get(answer)
+            if worth is None:
+                worth = worths[answer] = judge.sji(actions)
             if worth > 0 and (worth, -index) > (best, -at):
                 best, at, plan = worth, index, actions
         return plan

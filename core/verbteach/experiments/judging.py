@@ -41,6 +41,10 @@ class Judge:
         """The gold change."""
         return whole_change(self.instance, self.room.task)
 
+    @cached_property
+    def _wanted(self) -> Goal:
+        return self.change.literals
+
     def score(self, plan: Sequence[Action]) -> Score:
         """Run the plan from the true start, up to the first action that cannot be done."""
         actions = tuple(plan)
@@ -56,8 +60,8 @@ class Judge:
 
     def most(self, goal: Goal) -> float:
         """The best SJI that bringing the goal about could come to: what is not gold counts."""
-        gold, start = self.change.literals, self.instance.start
-        needless = sum(not literal.holds(start) and literal not in gold for literal in goal)
+        gold, start = self._wanted, self.instance.start
+        needless = sum(not literal.holds(start) for literal in goal.difference(gold))
         return len(gold) / (len(gold) + needless) if gold else 0.0
 
     def of_goal(self, goal: Goal) -> Score | None:

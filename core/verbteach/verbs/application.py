@@ -15,7 +15,7 @@ from itertools import combinations, islice, product
 from typing import NamedTuple, TypeAlias
 
 from verbteach.verbs.knowledge import Bindings, FrameSpace, HypothesisNode, Use, VerbKnowledge
-from verbteach.verbs.lifting import Binding, Lifted, affordances_of, mould_of, terms_of
+from verbteach.verbs.lifting import Binding, Lifted, affordances_of, terms_of
 from verbteach.verbs.space import Demonstration, FrameKey
 from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.fluents import Goal, Literal, State
@@ -38,6 +38,11 @@ class Situation:
     @cached_property
     def likenesses(self) -> dict[tuple[tuple[str | None, ...], Objects], tuple[float, float]]:
         """Room to remember how like arguments are to a demonstration's objects (``features``)."""
+        return {}
+
+    @cached_property
+    def expectations(self) -> dict[tuple[int, str], tuple[float, float]]:
+        """Room to remember how like a phrase's objects are to another one (``features``)."""
         return {}
 
     @cached_property
@@ -184,7 +189,7 @@ def _supports(
     arguments: _Arguments,
     things: _Things,
 ) -> Iterator[tuple[Goal, Support]]:
-    mould = mould_of(node.literals)
+    mould = node.mould
     for binding, uses in bindings:
         for used, share, replaced in things.choices(node.literals, binding):
             for alike, (chosen, grounding, probability) in arguments.choices(mould.variables, uses):
@@ -261,6 +266,7 @@ class _Things:
 
     def __init__(self, surroundings: Surroundings, replace_missing: int) -> None:
         self._here = surroundings.affordances
+        self._names = frozenset(self._here)
         self._most = replace_missing
         self._alike: dict[frozenset[str], list[str]] = defaultdict(list)
         for thing in sorted(surroundings.affordances):
@@ -270,7 +276,7 @@ class _Things:
         self, hypothesis: Lifted, binding: Binding
     ) -> Sequence[tuple[Binding, float, bool]]:
         """Bindings with their shares, and whether a thing was replaced."""
-        if all(thing in self._here for thing in binding):
+        if self._names.issuperset(binding):
             return ((binding, 1.0, False),)
         if not self._most:
             return ()

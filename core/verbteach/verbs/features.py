@@ -10,7 +10,7 @@ by leaving out its votes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -107,17 +107,27 @@ def _compared(
     longer = max(len(old), len(situation.phrases))
     if not longer:
         return 1.0, 1.0
+    marks = situation.surroundings.affordances
     same = alike = 0.0
     own_frame = len(old) == len(situation.phrases)
     for index, (thing, before) in enumerate(zip(arguments, old, strict=True)):
         if thing is not None:
-            belief: Mapping[str, float] = {thing: 1.0}
-        else:
-            belief = situation.marginals[index] if own_frame else {}
-        same += belief.get(before, 0.0)
-        marks = situation.surroundings.affordances
-        alike += sum(p * _likeness(marks.get(o), marks.get(before)) for o, p in belief.items())
+            same += thing == before
+            alike += _likeness(marks.get(thing), marks.get(before))
+        elif own_frame:
+            hit, near = _expected(situation, index, before)
+            same, alike = same + hit, alike + near
     return same / longer, alike / longer
+
+
+def _expected(situation: Situation, index: int, before: str) -> tuple[float, float]:
+    """How much of the belief about a phrase is the thing, and how like it the rest is."""
+    known = situation.expectations.get((index, before))
+    if known is None:
+        marks, belief = situation.surroundings.affordances, situation.marginals[index]
+        like = sum(p * _likeness(marks.get(o), marks.get(before)) for o, p in belief.items())
+        known = situation.expectations[index, before] = belief.get(before, 0.0), like
+    return known
 
 
 @lru_cache(maxsize=65_536)

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple, TypeAlias
 
-from verbteach.verbs.lifting import Binding, Lifted
+from verbteach.verbs.lifting import Binding, Lifted, Mould, mould_of
 from verbteach.verbs.space import Demonstration, FrameKey, HypothesisSpace
 
 
@@ -65,6 +65,11 @@ class HypothesisNode:
     def confirmed(self) -> int:
         """How many teachers confirmed it as the goal."""
         return _demonstrations(use for use in self.uses if use.confirmed)
+
+    @cached_property
+    def mould(self) -> Mould:
+        """The hypothesis, prepared for being bound."""
+        return mould_of(self.literals)
 
     @cached_property
     def bindings(self) -> Bindings:

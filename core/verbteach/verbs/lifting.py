@@ -10,8 +10,9 @@ renaming, so that equality means merging.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import NamedTuple, TypeAlias, cast
+from typing import TypeAlias, cast
 
 from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.fluents import Fluent, Goal, Literal
@@ -25,6 +26,9 @@ Binding: TypeAlias = tuple[str, ...]
 _Colours: TypeAlias = dict[str, int]
 _Shade: TypeAlias = tuple[int, str]
 _Signature: TypeAlias = tuple[int, tuple[tuple[bool, str, tuple[_Shade, ...]], ...]]
+
+_REMEMBERED = 1024
+"""Goals that a mould remembers; then it begins anew."""
 
 _BRANCHING = 24
 """Orders of interchangeable things that are tried before the first one is taken as it is."""
@@ -90,7 +94,8 @@ def lift(
     return hypothesis, tuple(stands_for[term] for term in sorted(stands_for))
 
 
-class Mould(NamedTuple):
+@dataclass(frozen=True)
+class Mould:
     """A hypothesis ready to be filled: each literal with the places of its words.
 
     Places count through the things that fill abstract terms, then ``constants``,
@@ -104,9 +109,21 @@ class Mould(NamedTuple):
     constants: tuple[str, ...]
     variables: frozenset[int]
     mixed: bool
+    _goals: dict[tuple[Sequence[str | None], Binding], Goal | None] = field(
+        default_factory=dict, repr=False, compare=False
+    )
 
     def filled(self, arguments: Sequence[str | None], binding: Binding) -> Goal | None:
-        """See ``bind``."""
+        """See ``bind``. Goals are remembered: in one room the same ones are asked for often."""
+        key = (tuple(arguments), binding)
+        try:
+            return self._goals[key]
+        except KeyError:
+            if len(self._goals) >= _REMEMBERED:
+                self._goals.clear()
+            return self._goals.setdefault(key, self._filled(arguments, binding))
+
+    def _filled(self, arguments: Sequence[str | None], binding: Binding) -> Goal | None:
         if any(i >= len(arguments) or arguments[i] is None for i in self.variables):
             return None
         if len(binding) != self.terms:

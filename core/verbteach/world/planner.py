@@ -157,6 +157,9 @@ class SearchPlanner:
         return literal.holds(self.task.static if is_static else state)
 
     def _search(self, bits: int, goal: Goal) -> Plan | PlanFailure:
+        wanted = self._encoded(goal)
+        if wanted.holds(bits):
+            return Plan(())
         numbers = self.relaxed.propositions(goal)
         found = self.engine.search(bits, numbers, self.config.limits)
         if isinstance(found, Exhausted):
@@ -164,7 +167,7 @@ class SearchPlanner:
                 return PlanFailure(FailureReason.BOUND, f"{self.config.expansions} states judged")
             return PlanFailure(FailureReason.UNREACHABLE, self._hopeless(bits, goal))
         actions = self.task.actions
-        steps = refined(bits, [actions[number] for number in found], self._encoded(goal))
+        steps = refined(bits, [actions[number] for number in found], wanted)
         return Plan(tuple(step.action for step in steps))
 
     def _hopeless(self, bits: int, goal: Goal) -> str:
@@ -175,7 +178,11 @@ class SearchPlanner:
         return ""
 
     def _encoded(self, goal: Goal) -> EncodedGoal:
-        return EncodedGoal(
-            self.task.encode(frozenset(x.fluent for x in goal if x.positive)),
-            self.task.encode(frozenset(x.fluent for x in goal if not x.positive)),
-        )
+        """The bits of an open goal, whose fluents all have one."""
+        true = false = 0
+        for fluent, positive in goal:
+            if positive:
+                true |= self.task.bit[fluent]
+            else:
+                false |= self.task.bit[fluent]
+        return EncodedGoal(true, false)

@@ -49,17 +49,14 @@ def hosts(objects: Iterable[str]) -> dict[str, str]:
     A part's name is its host's name with a capitalised word appended; the
     longest such host counts, so that the remote's buttons belong to the remote.
     """
-    known = sorted(objects, key=lambda name: (-len(name), name))
+    known = frozenset(objects)
     found = {}
     for part in sorted(known):
-        host = next((h for h in known if _extends(part, h)), None)
+        ends = (end for end in range(len(part) - 1, 0, -1) if part[end].isupper())
+        host = next((part[:end] for end in ends if part[:end] in known), None)
         if host is not None:
             found[part] = host
     return found
-
-
-def _extends(part: str, host: str) -> bool:
-    return part.startswith(host) and part[len(host) : len(host) + 1].isupper()
 
 
 def fittings(objects: Marks) -> frozenset[Fluent]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache
+from functools import cache, lru_cache
 from hashlib import sha256
 from importlib import resources
 from pathlib import Path
@@ -158,7 +158,7 @@ def _marks(document: Document) -> dict[str, tuple[str, ...]]:
     return {name: tuple(sorted(found[name])) for name in sorted(found)}
 
 
-def _new_values(document: Document, marks: Mapping[str, tuple[str, ...]]) -> dict[str, str]:
+def _new_values(document: Document, marks: dict[str, tuple[str, ...]]) -> dict[str, str]:
     """Values that the domain lacks: what can be poured has contents, all others are modes."""
     known = corpus_domain().constants
     states: State = frozenset().union(*(step.state for step in document.steps))
@@ -167,9 +167,14 @@ def _new_values(document: Document, marks: Mapping[str, tuple[str, ...]]) -> dic
     for name, value in pairs:
         if value not in known and found.get(value) != "content":
             found[value] = "content" if "IsPourable" in marks.get(name, ()) else "mode"
-    named = {word for fact in fittings(marks) for word in fact.args}
-    implied = sorted(named - marks.keys() - known.keys() - found.keys())
+    implied = sorted(_named(tuple(marks.items())) - marks.keys() - known.keys() - found.keys())
     return found | dict.fromkeys(implied, "mode")
+
+
+@lru_cache(maxsize=64)
+def _named(marks: tuple[tuple[str, tuple[str, ...]], ...]) -> frozenset[str]:
+    """The words in the facts that never change; many documents have the same objects."""
+    return frozenset(word for fact in fittings(dict(marks)) for word in fact.args)
 
 
 def _scene_object(name: str) -> SceneObject:
