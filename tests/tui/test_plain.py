@@ -20,6 +20,7 @@ from verbteach.world.fluents import Fluent, Goal
 from verbteach_sessions.header import Header
 from verbteach_sessions.session import Session
 from verbteach_tui.plain import run_plain
+from verbteach_tui.plain_talk import MisfitError, Talk
 
 LESSON = ("open the fridge", *OPEN_THE_FRIDGE, "done", "yes")
 
@@ -119,6 +120,32 @@ def test_a_number_that_is_no_choice_is_explained(
     assert "no part" in capsys.readouterr().err
 
 
+def test_a_number_beyond_the_choices_is_explained_and_answers_nothing(tmp_path: Path) -> None:
+    with begin(tmp_path) as session:
+        conversation = Talk(session)
+        conversation.hear("wash the mug", "typed")
+        with pytest.raises(MisfitError, match="no choice 9"):
+            conversation.hear("9", "typed")
+        assert session.robot.state.totals.questions == 1
+
+
+def test_help_says_how_to_begin_how_to_show_and_what_a_price_is(tmp_path: Path) -> None:
+    with begin(tmp_path) as session:
+        conversation = Talk(session)
+        assert "it asks you to show it" in conversation.hear("Help", "typed")[0]
+        conversation.hear("wash the mug", "typed")
+        assert "price" in conversation.hear("help", "typed")[0]
+        conversation.hear("skip", "typed")
+        assert "in your own words" in conversation.hear("help", "typed")[0]
+
+
+def test_what_belongs_to_showing_is_refused_elsewhere_in_plain_words(tmp_path: Path) -> None:
+    with begin(tmp_path) as session:
+        for word in ("steps", "shown"):
+            with pytest.raises(MisfitError, match="only while you show"):
+                Talk(session).hear(word, "typed")
+
+
 def test_nasty_texts_print_as_themselves(tmp_path: Path) -> None:
     texts = [text for text in NASTY if text.strip() and "\n" not in text and "\r" not in text]
     with begin(tmp_path) as session:
@@ -138,6 +165,7 @@ from verbteach_scenarios.settings import make_settings
 from verbteach_sessions.header import Header
 from verbteach_sessions.session import Session
 from verbteach_tui.plain import run_plain
+from verbteach_tui.plain_talk import MisfitError, Talk
 settings = make_settings()
 header = Header.new("kitchen-1", interface="plain")
 with Session.create(Path({str(folder)!r}), header, settings) as session:

@@ -132,7 +132,7 @@ class Talk:
 
     def _local(self, text: str) -> list[str] | None:
         asked = text == "?" and self._snapshot.phase not in (Phase.EXECUTION, Phase.LEARNING)
-        answer = _LOCAL.get("help" if asked else text)
+        answer = _LOCAL.get("help" if asked else text.lower())
         return None if answer is None else answer(self)
 
     def _help(self) -> list[str]:
@@ -150,7 +150,7 @@ class Talk:
 
     def _shown(self) -> list[str]:
         if self._snapshot.phase is not Phase.DEMONSTRATION:
-            raise MisfitError("the robot waits for no demonstration")
+            raise MisfitError(_NOT_SHOWING)
         return plain_words.shown_lines(self._snapshot)
 
     def _mind(self) -> list[str]:
@@ -161,7 +161,7 @@ class Talk:
 
     def _steps(self) -> list[str]:
         if self._snapshot.phase is not Phase.DEMONSTRATION:
-            raise MisfitError("the robot waits for no demonstration")
+            raise MisfitError(_NOT_SHOWING)
         return self._offer(_Picking(self._snapshot.menu.names))
 
     # ---- numbers
@@ -183,6 +183,8 @@ class Talk:
             part = snapshot.parts[number - 1]
             return acts.Strike(part.literal) if part.kept else acts.Keep(part.literal)
         if self._picking is None:
+            if snapshot.choices and text not in snapshot.choices:
+                raise MisfitError(f"there is no choice {number}")
             return snapshot.reader.read(text)
         if not 1 <= number <= len(self._picking.offered):
             raise MisfitError(f"there is no choice {number}")
@@ -195,6 +197,8 @@ class Talk:
         return _Picking(offered, name, chosen) if offered else acts.Do(Action(name, chosen))
 
 
+_NOT_SHOWING = "there are steps only while you show the robot something; it asks you when"
+
 _NOTES: Mapping[type[ScriptAct], str] = {
     Flag: "flagged.",
     Note: "kept.",
@@ -204,7 +208,7 @@ _NOTES: Mapping[type[ScriptAct], str] = {
 }
 
 _LOCAL: Mapping[str, Callable[[Talk], list[str]]] = {
-    "help": Talk._help,
+    "help": lambda talk: talk._help(),
     "look": Talk._look,
     "seen": Talk._seen,
     "shown": Talk._shown,

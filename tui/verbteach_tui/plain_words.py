@@ -6,7 +6,7 @@ no signs that only an eye understands.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 from verbteach.dialogue.moves import Phase
 from verbteach_tui.keys import answer_keys, anytime
@@ -26,12 +26,22 @@ LOCAL = {
 }
 """Words that only the plain mode knows; they are not for the robot and leave no record."""
 
+_ANSWER = (
+    "Answer in words, or with one of these. "
+    "The price says how much the question takes off the robot's reward."
+)
 _ASKS = {
-    Phase.COMMAND: "Say what the robot should do.",
-    Phase.EXECUTION: "Answer in words, or with one of these.",
-    Phase.LEARNING: "Answer in words, or with one of these.",
+    Phase.COMMAND: (
+        "Say what the robot should do, such as: open the window. "
+        "If it does not know how, it asks you to show it."
+    ),
+    Phase.EXECUTION: _ANSWER,
+    Phase.LEARNING: _ANSWER,
     Phase.JUDGEMENT: "Say whether it was right, or stop: N if it should have stopped after a step.",
-    Phase.DEMONSTRATION: "Type a step, such as: go to the sink. Or type steps for numbered ones.",
+    Phase.DEMONSTRATION: (
+        "Type a step in your own words, such as: go to the sink; or several with commas between. "
+        "Or type steps for numbered ones. Say done after the last one."
+    ),
     Phase.READ_BACK: "Type the number of a part to strike it or keep it after all.",
 }
 
@@ -54,8 +64,11 @@ def numbered(texts: Iterable[str]) -> list[str]:
     return [f"{number}. {text}" for number, text in enumerate(texts, 1)]
 
 
-def help_lines(snapshot: Snapshot) -> list[str]:
-    """What can be said now, one thing to a line, with its short form."""
+def help_lines(snapshot: Snapshot, hidden: Collection[str] = (), rooms: bool = True) -> list[str]:
+    """What can be said now, one thing to a line, with its short form.
+
+    Without the words that are ``hidden`` here; ``rooms``: one may go to another scene.
+    """
     lines = [_ASKS[snapshot.phase]]
     said: dict[str, list[str]] = {}
     for key in answer_keys(snapshot.phase):
@@ -63,9 +76,9 @@ def help_lines(snapshot: Snapshot) -> list[str]:
     lines += [f"{word} or {' or '.join(keys)}" for word, keys in said.items()]
     lines += [f"{key.word} or {key.key}: {key.label}" for key in anytime() if key.word != "note"]
     lines += ["note: TEXT keeps a note beside the turn", "quit leaves; you can go on later"]
-    if snapshot.phase is Phase.COMMAND:
+    if snapshot.phase is Phase.COMMAND and rooms:
         lines.append("scene: NAME goes to another scene")
-    return lines + [f"{word}: {about}" for word, about in LOCAL.items()]
+    return lines + [f"{word}: {about}" for word, about in LOCAL.items() if word not in hidden]
 
 
 def look_lines(picture: Picture) -> list[str]:

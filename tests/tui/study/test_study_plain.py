@@ -20,6 +20,7 @@ from verbteach_tui.study.lesson_talk import _PANELS_OF
 from verbteach_tui.study.plain_study import StudyTalk
 
 SHOWN = "\n".join(SHOW)
+ONE_PANEL = SMALL.replace('policy = "manual"', 'policy = "manual"\npanels = ["scene"]')
 
 
 def test_a_whole_study_leaves_a_sound_record_of_all_that_was_answered(tmp_path: Path) -> None:
@@ -208,3 +209,11 @@ def test_a_conditions_weights_are_what_the_robot_asks_by(tmp_path: Path) -> None
         header["study"]["condition"]["weights_hash"]
         == sha256((tmp_path / "mine.json").read_bytes()).hexdigest()
     )
+
+
+def test_help_names_only_what_the_condition_shows_and_how_to_stop(tmp_path: Path) -> None:
+    printed = plainly(tmp_path, "yes\nnext\nhelp\n", text=ONE_PANEL)
+    assert "look: what is where" in printed
+    assert "mind: what the robot" not in printed
+    assert "scene: NAME" not in printed, "the task says which room it is"
+    assert "end: stops taking part" in printed

@@ -5,6 +5,7 @@ from __future__ import annotations
 from verbteach_sessions.script import ScriptAct
 from verbteach_sessions.session import Session
 from verbteach_sessions.session_acts import Quit
+from verbteach_tui import plain_words
 from verbteach_tui.plain_talk import MisfitError, Talk
 from verbteach_tui.study import words
 from verbteach_tui.study.run import VIA, StudyRun
@@ -36,6 +37,12 @@ class LessonTalk(Talk):
         if not _PANELS_OF.get(line.strip(), frozenset()) <= self._run.panels:
             raise MisfitError("this is not shown here")
         return super().hear(line, via)
+
+    def _help(self) -> list[str]:
+        """As ever, without what the condition hides; and how to stop."""
+        hidden = [word for word, panels in _PANELS_OF.items() if not panels <= self._run.panels]
+        free = self._run.task(self.session) is None
+        return [*plain_words.help_lines(self.snapshot, hidden, free), words.ENDING]
 
     def say(self, act: ScriptAct, raw: str, via: str) -> list[str]:
         """As ``Talk.say``, and what the study does after it."""

@@ -16,6 +16,7 @@ STOP_ASKED = (
     "To stop taking part, type end once more. What you did so far is kept, unless you have it "
     "deleted by your code."
 )
+ENDING = "end: stops taking part for good; quit only pauses"
 STOPPED = "You have stopped. Thank you for what you did."
 OVER: Mapping[str, str] = {
     TASKS: "That was the last task of this part.",
