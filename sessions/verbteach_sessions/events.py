@@ -229,6 +229,14 @@ _PERSON = (
     Field("via", TEXT, "how it came, such as `typed`, `key`, `mouse`, `script`, `simulated`"),
     Field("shown_at", or_null(NUMBER), "session time at which the robot's turn was shown"),
     Field("answered_at", NUMBER, "session time at which the person acted"),
+    Field(
+        "in_view",
+        TEXTS,
+        "the panels in view since the robot's turn was shown: `dialogue`, `scene`, `mind`,"
+        " `belief` (what it took the scene for), `verbs` (what it has learned); missing where"
+        " there are no panels",
+        optional=True,
+    ),
 )
 _MACHINE = (
     Field("created", TEXT, "wall-clock time, ISO 8601, UTC"),

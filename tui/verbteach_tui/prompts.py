@@ -12,19 +12,27 @@ from verbteach_tui.snapshot import Snapshot
 
 
 class Prompt(NamedTuple):
-    """``lead`` opens the bar of keys, ``placeholder`` stands in the empty input."""
+    """``lead`` opens the bar of keys, ``placeholder`` stands in the empty input.
+
+    While the input has not got the keys, ``example`` stands there, after how to get into it.
+    """
 
     lead: str
     placeholder: str
+    example: str
 
 
 PROMPTS: Mapping[Phase, Prompt] = {
-    Phase.COMMAND: Prompt("Say what to do", 'Say what the robot should do, as in "boil the water"'),
-    Phase.EXECUTION: Prompt("Answer", "Answer in words, as in: no, the red one"),
-    Phase.LEARNING: Prompt("Answer", "Answer in words, as in: no, the red one"),
-    Phase.JUDGEMENT: Prompt("Was it right?", "Judge in words, as in: no, the other pot"),
-    Phase.DEMONSTRATION: Prompt("Show it", "Type a step, as in: go to the sink"),
-    Phase.READ_BACK: Prompt("Is that the goal?", "Say right or wrong"),
+    Phase.COMMAND: Prompt(
+        "Say what to do", 'Say what the robot should do, as in "boil the water"', "boil the water"
+    ),
+    Phase.EXECUTION: Prompt("Answer", "Answer in words, as in: no, the red one", "no, the red one"),
+    Phase.LEARNING: Prompt("Answer", "Answer in words, as in: no, the red one", "no, the red one"),
+    Phase.JUDGEMENT: Prompt(
+        "Was it right?", "Judge in words, as in: no, the other pot", "no, the other pot"
+    ),
+    Phase.DEMONSTRATION: Prompt("Show it", "Type a step, as in: go to the sink", "go to the sink"),
+    Phase.READ_BACK: Prompt("Is that the goal?", "Say right or wrong", "right"),
 }
 
 
@@ -59,6 +67,10 @@ ABOUT: Mapping[Phase, str] = {
 
 SUGGESTED = Key("yes", f"{acts.Command.name}: yes", "that; or say it in other words")
 """What takes up a command that the robot offered instead of one it could not read."""
+
+
+TYPING = Key("Tab", "type", "type a command")
+"""Back into the line, where nothing waits to be answered with a key."""
 
 
 class Bar(NamedTuple):
@@ -112,6 +124,8 @@ def bar_of(snapshot: Snapshot, typing: bool, watching: bool = False, editing: bo
         return Bar("Is that what you meant?", (SUGGESTED,))
     if typing:
         return Bar(f"{lead}: type and press Enter", _while_typing(snapshot))
+    if snapshot.phase is Phase.COMMAND:
+        return Bar("Single keys", (TYPING,), tuple(_always(snapshot)))
     return Bar(lead, tuple(_answers(snapshot)), tuple(_always(snapshot)))
 
 

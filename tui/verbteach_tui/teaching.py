@@ -7,6 +7,7 @@ workers from entering the session at once.
 from __future__ import annotations
 
 import threading
+from collections.abc import Collection
 
 from verbteach_sessions.errors import CannotUndoError, SessionEndedError, TooLongError
 from verbteach_sessions.recorder import MISFITS
@@ -43,10 +44,15 @@ class Teaching:
         """The turn has been shown; how long the person takes to answer counts from here."""
         self._shown_at = self._session.now()
 
-    def perform(self, act: ScriptAct, raw: str, via: str) -> Snapshot:
-        """Let the person act. Raises one of ``REFUSALS``, a ``StorageError``, or what is a bug."""
+    def perform(
+        self, act: ScriptAct, raw: str, via: str, in_view: Collection[str] = ()
+    ) -> Snapshot:
+        """Let the person act, who has seen the panels ``in_view`` since the last turn.
+
+        Raises one of ``REFUSALS``, a ``StorageError``, or what is a bug.
+        """
         with self._lock:
-            self._session.perform(act, raw=raw, via=via, shown_at=self._shown_at)
+            self._session.perform(act, raw=raw, via=via, shown_at=self._shown_at, in_view=in_view)
             self.snapshot = self._observer.look()
             return self.snapshot
 

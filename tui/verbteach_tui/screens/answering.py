@@ -6,6 +6,7 @@ from textual import events
 from textual.widgets import Input
 
 from verbteach.dialogue import acts
+from verbteach.dialogue.moves import Phase
 from verbteach_sessions.script import parse_line, render
 from verbteach_sessions.session_acts import Note
 from verbteach_tui.keyguard import KeyGuard
@@ -47,6 +48,11 @@ class AnsweringScreen(SpeakingScreen):
             _consume(event)
             if self.guard.answers(event.time):
                 self._say_key(character)
+        elif character.isalpha() and self.snapshot.phase is Phase.COMMAND:
+            _consume(event)  # no key, and nothing was asked: a command begins with it
+            line = self.query_one(CommandInput)
+            line.focus()
+            line.insert_text_at_cursor(character)
 
     def _answers(self, character: str) -> bool:
         snapshot = self.snapshot

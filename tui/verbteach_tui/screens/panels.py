@@ -22,6 +22,9 @@ from verbteach_tui.widgets.title_bar import TitleBar
 if TYPE_CHECKING:
     from verbteach_tui.screens.verbs import Revising
 
+ALL_FROM = 110
+"""Columns from which on all panels are in view at once."""
+
 TABS = (("dialogue", "F2", "Dialogue"), ("scene", "F3", "Scene"), ("mind", "F4", "Mind"))
 
 
@@ -31,7 +34,7 @@ class PanelScreen(RoomScreen):
     HORIZONTAL_BREAKPOINTS = [  # noqa: RUF012 (the base class declares its type)
         (0, "-narrow"),
         (76, "-normal"),
-        (110, "-wide"),
+        (ALL_FROM, "-wide"),
         (170, "-very-wide"),
     ]
     AUTO_FOCUS = None
@@ -47,6 +50,8 @@ class PanelScreen(RoomScreen):
         super().__init__()
         self._believing = False
         self._moment: Moment | None = None
+        self._tab = "dialogue"
+        self._seen: frozenset[str] = frozenset()
 
     @property
     @abstractmethod
@@ -73,6 +78,44 @@ class PanelScreen(RoomScreen):
             self.show_moment(snapshot.moment)
         return on_stage
 
+    # ---- what is in view, which the record keeps
+
+    @property
+    def hidden(self) -> frozenset[str]:
+        """The panels that are not to be seen here."""
+        return frozenset()
+
+    @property
+    def seen(self) -> frozenset[str]:
+        """The panels in view since the last turn was shown, some of them perhaps only for a time.
+
+        What was learned and what the robot took the scene for count as well,
+        as ``verbs`` and ``belief``.
+        """
+        return self._seen
+
+    def look_anew(self) -> None:
+        """Another turn is shown: only what is in view now has been seen of it."""
+        self._seen = frozenset()
+        self._look()
+
+    def _look(self) -> None:
+        self._seen |= self._in_view()
+
+    def _in_view(self) -> frozenset[str]:
+        # By the size: when the first turn is shown, the screen has no classes yet.
+        tabbed = self.app.size.width < ALL_FROM
+        panels = {self._tab} if tabbed else {word for word, _, _ in TABS}
+        if "scene" in panels and self._believing and self.snapshot.belief is not None:
+            panels.add("belief")
+        if self.app.screen_stack[-1].has_class("-of-verbs"):
+            panels.add("verbs")
+        return frozenset(panels) - self.hidden
+
+    def on_resize(self) -> None:
+        """More panels may be in view, or fewer."""
+        self._look()
+
     def show_moment(self, moment: Moment) -> None:
         """Show the scene at one moment."""
         snapshot, self._moment = self.snapshot, moment
@@ -88,6 +131,8 @@ class PanelScreen(RoomScreen):
             classes["-staged"] = on_stage
         self.update_classes(classes)
         self.query_one(TabStrip).show_tabs(TABS, name)
+        self._tab = name
+        self._look()
 
     def action_tab(self, name: str) -> None:
         """Bring a panel into view; where all are, give it the keys."""
@@ -99,6 +144,7 @@ class PanelScreen(RoomScreen):
         self._believing = not self._believing
         self.choose_tab("scene")
         self.show_moment(self._moment or self.snapshot.moment)
+        self._look()
         if self._believing and self.snapshot.belief is None:
             self.notify("The robot looks around when it gets a command; it is shown then.")
 
@@ -107,6 +153,7 @@ class PanelScreen(RoomScreen):
         from verbteach_tui.screens.verbs import VerbsScreen
 
         self.app.push_screen(VerbsScreen(self.snapshot, frame, self.reviser()))
+        self._look()
 
     def reviser(self) -> Callable[[Revising], None] | None:
         """Takes corrections of what was learned; ``None`` where there are none to make."""

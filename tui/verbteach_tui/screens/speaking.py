@@ -66,17 +66,20 @@ class SpeakingScreen(PanelScreen):
         self._thinking = True
         self._patience = self.set_timer(PATIENCE, self.waiting)
         self.run_worker(
-            partial(self._speak, act, raw, via), thread=True, exit_on_error=False, group="session"
+            partial(self._speak, act, raw, via, self.seen),
+            thread=True,
+            exit_on_error=False,
+            group="session",
         )
         return True
 
     def waiting(self) -> None:
         """The robot takes its time; for subclasses, to say so."""
 
-    def _speak(self, act: ScriptAct, raw: str, via: str) -> None:
+    def _speak(self, act: ScriptAct, raw: str, via: str, seen: frozenset[str]) -> None:
         """In a worker thread: perform the act and post what came of it."""
         try:
-            snapshot = self.teaching.perform(act, raw, via)
+            snapshot = self.teaching.perform(act, raw, via, seen)
         except REFUSALS as error:
             reason = str(error.args[0] if error.args else error)
             self.post_message(Refused(reason, raw))

@@ -26,7 +26,7 @@ from verbteach_tui.messages import (
     WordSaid,
     WorkFailed,
 )
-from verbteach_tui.prompts import ABOUT, PROMPTS, bar_of
+from verbteach_tui.prompts import ABOUT, PROMPTS, TYPING, bar_of
 from verbteach_tui.screens.answering import AnsweringScreen
 from verbteach_tui.screens.failure import FailureScreen
 from verbteach_tui.screens.panels import TABS
@@ -55,7 +55,7 @@ class TeachScreen(AnsweringScreen):
         Binding("ctrl+y", "word('redo')", "Redo", show=False, priority=True, id="line-redo"),
         Binding("slash", "type", "Type", show=False, id="type"),
         Binding("tab", "switch", "Type, or answer with keys", show=False),
-        Binding("f8", "turns", "Undo to", id="turns"),
+        Binding("f8", "turns", "Earlier turns", id="turns"),
         Binding("f9", "steps", "The steps shown", show=False, id="steps"),
         Binding("f10", "leave", "Leave", id="leave"),
     ]
@@ -89,14 +89,26 @@ class TeachScreen(AnsweringScreen):
     def _show(self, snapshot: Snapshot, played: bool) -> None:
         on_stage = self.show_panels(snapshot, played, self._speed)
         self._expect(snapshot)
+        self.refresh_bindings()
         looking = played or snapshot.phase is Phase.DEMONSTRATION
         self.choose_tab("scene" if looking else "dialogue", on_stage)
+        self.look_anew()
         self.teaching.shown()
+
+    @property
+    def idle_actions(self) -> frozenset[str]:
+        """What would do nothing now: other scenes within a command, undo at the beginning."""
+        idle = set() if self.snapshot.phase is Phase.COMMAND else {"scenes"}
+        if not self.snapshot.can_undo:
+            idle |= {"word('undo')", "turns"}
+        return frozenset(idle)
 
     def _expect(self, snapshot: Snapshot) -> None:
         """Put the keys where this kind of turn is answered."""
         line = self.query_one(CommandInput)
-        line.expect(PROMPTS[snapshot.phase].placeholder, self._completion)
+        prompt = PROMPTS[snapshot.phase]
+        line.expect(prompt.placeholder, prompt.example, self._completion)
+        line.stays = snapshot.phase is Phase.COMMAND
         went_on = self._went_on_typing(snapshot)
         if snapshot.phase is Phase.COMMAND:
             line.focus()
@@ -134,6 +146,8 @@ class TeachScreen(AnsweringScreen):
             self.query_one(Stage).builder.steps.steer(message.word)
         elif message.word == "leave":
             self._answer_with_keys()
+        elif message.word == TYPING.word:
+            self.action_type()
         else:
             self.say_word(message.word, message.word, message.via)
 

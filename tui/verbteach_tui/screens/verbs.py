@@ -51,7 +51,7 @@ class VerbsScreen(Screen[None]):
     def __init__(
         self, snapshot: Snapshot, frame: str = "", revise: Callable[[Revising], None] | None = None
     ) -> None:
-        super().__init__()
+        super().__init__(classes="-of-verbs")
         self._snapshot = snapshot
         self._frame = frame
         self._revise = revise
@@ -71,18 +71,18 @@ class VerbsScreen(Screen[None]):
         """List the verbs; the one that was just learned first."""
         self.query_one("#frames", OptionList).border_title = "Verbs"
         self.show_snapshot(self._snapshot)
-        if self._snapshot.mind.verbs:
-            self.query_one(HypothesisView).focus()
+        known = bool(self._snapshot.mind.verbs)
+        self.query_one(HypothesisView if known else NodeView).focus()
 
     def show_snapshot(self, snapshot: Snapshot) -> None:
         """Show what the robot knows now; the verb that was chosen stays so."""
         self._snapshot, verbs = snapshot, snapshot.mind.verbs
         self.query_one(TitleBar).show_title(f"{snapshot.scene}  ·  verbs", ())
+        self.set_class(not verbs, "-empty")
         frames = self.query_one("#frames", OptionList)
         chosen = frames.highlighted_option
         wanted = chosen.id if chosen else self._frame
-        with self.prevent(OptionList.OptionHighlighted):
-            frames.set_options(Option(_label(verb), id=verb.target) for verb in verbs)
+        self._list_frames()
         if not verbs:
             self.query_one(NodeView).tell(_NOTHING)
             return
@@ -90,6 +90,26 @@ class VerbsScreen(Screen[None]):
         fresh = [i for i, verb in enumerate(verbs) if verb.news]
         frames.highlighted = (before or fresh or [0])[0]
         self._show_frame(verbs[frames.highlighted].target)
+
+    def _list_frames(self) -> None:
+        """A verb takes three rows in a column of their own, one where that is above the graph."""
+        frames, label = self.query_one("#frames", OptionList), _label
+        if self.has_class("-narrow"):
+            label = _short_label
+        at = frames.highlighted
+        with self.prevent(OptionList.OptionHighlighted):
+            frames.set_options(Option(label(v), id=v.target) for v in self._snapshot.mind.verbs)
+            frames.highlighted = at
+
+    def on_resize(self) -> None:
+        """The list goes above the graph, or back beside it."""
+        self.call_after_refresh(self._list_frames)
+
+    @property
+    def idle_actions(self) -> frozenset[str]:
+        """Where no verb is known there is nothing to judge."""
+        judging = frozenset({"judge(False)", "judge(True)"})
+        return frozenset() if self._snapshot.mind.verbs else judging
 
     def on_option_list_option_highlighted(self, message: OptionList.OptionHighlighted) -> None:
         """Another verb."""
@@ -134,7 +154,16 @@ class VerbsScreen(Screen[None]):
 
 
 def _label(verb: KnownVerb) -> Content:
-    star = "✱ " if verb.news else "  "
+    star, hypotheses, lessons = _told(verb)
+    return Content(f"{star}{verb.title}\n  {hypotheses}\n  {lessons}")
+
+
+def _short_label(verb: KnownVerb) -> Content:
+    star, hypotheses, lessons = _told(verb)
+    return Content(f"{star}{verb.title:20}  {hypotheses}, {lessons}")
+
+
+def _told(verb: KnownVerb) -> tuple[str, str, str]:
     hypotheses = f"{verb.hypotheses} hypothes{'is' if verb.hypotheses == 1 else 'es'}"
     lessons = f"{verb.demonstrations} lesson{'s' * (verb.demonstrations != 1)}"
-    return Content(f"{star}{verb.title}\n  {hypotheses}\n  {lessons}")
+    return "✱ " if verb.news else "  ", hypotheses, lessons

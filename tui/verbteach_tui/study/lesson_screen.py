@@ -111,6 +111,11 @@ class LessonScreen(TeachScreen):
 
     # ---- what is shown
 
+    @property
+    def hidden(self) -> frozenset[str]:
+        """The panels that the condition does not show."""
+        return frozenset(self._hidden)
+
     def choose_tab(self, name: str, on_stage: bool | None = None) -> None:
         """Bring a panel into view, if the condition shows it."""
         """As ever, but for the panels that the condition hides."""

@@ -14,11 +14,16 @@ from verbteach_tui.messages import LineTyped
 
 
 class CommandInput(Input):
-    """An input that keeps what was said before; Up and Down go through it."""
+    """An input that keeps what was said before; Up and Down go through it.
+
+    Where it ``stays``, Escape does not leave it: a command is typed nowhere else,
+    and its first letters would be taken for keys.
+    """
 
     HELP = (
         "Type here and press Enter. Up and Down bring back what you said before; the Right arrow "
-        "takes the completion shown in grey. Tab leaves the line, and single keys answer then."
+        "takes the completion shown in grey. Tab leaves the line, and single keys answer then; so "
+        "does Escape where the robot has asked something."
     )
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("up", "earlier", "Earlier", show=False),
@@ -31,11 +36,26 @@ class CommandInput(Input):
         super().__init__(id=id, suggester=self._completion, select_on_focus=False)
         self._said: list[str] = []
         self._back = 0
+        self._wanted = self._example = ""
+        self.stays = False
 
-    def expect(self, placeholder: str, complete: Callable[[str], str | None]) -> None:
-        """Say what is wanted, and how it is completed."""
-        self.placeholder = placeholder
+    def expect(self, wanted: str, example: str, complete: Callable[[str], str | None]) -> None:
+        """Say what is wanted, with an ``example`` for who is elsewhere; and how it is completed."""
+        self._wanted, self._example = wanted, example
         self._completion.complete = complete
+        self._say_what_is_wanted()
+
+    def _say_what_is_wanted(self) -> None:
+        away = f"Tab or / to type, as in: {self._example}"
+        self.placeholder = self._wanted if self.has_focus else away
+
+    def on_focus(self) -> None:
+        """Say what to type."""
+        self._say_what_is_wanted()
+
+    def on_blur(self) -> None:
+        """Say how to come back."""
+        self._say_what_is_wanted()
 
     def on_key(self, event: events.Key) -> None:
         """No line begins with the key that leads to this one: pressed once more it does nothing."""
@@ -71,8 +91,9 @@ class CommandInput(Input):
         self._recall(self._back - 1)
 
     def action_leave(self) -> None:
-        """Leave the line as it is; single keys answer then."""
-        self.screen.set_focus(None)
+        """Leave the line as it is, so that single keys answer; unless it is to stay."""
+        if not self.stays:
+            self.screen.set_focus(None)
 
     def _recall(self, back: int) -> None:
         if 0 < back <= len(self._said):

@@ -12,14 +12,18 @@ from verbteach_tui.widgets.rows_view import RowsView
 
 
 class Foot(RowsView, can_focus=False):
-    """One row made from the bindings that are shown, Help first; what does not fit is left out."""
+    """One row made from the bindings that are shown, Help first; what does not fit is left out.
+
+    A screen may name in ``idle_actions`` what would do nothing at the moment.
+    """
 
     DEFAULT_CSS = """
     Foot {
         dock: bottom; height: 1; overflow-y: hidden; scrollbar-gutter: auto; background: $panel;
     }
     """
-    FIRST: ClassVar[tuple[str, ...]] = ("f1", "ctrl+p")
+    FIRST: ClassVar[tuple[str, ...]] = ("help", "command_palette")
+    WAYS_OUT: ClassVar[frozenset[str]] = frozenset({"leave", "dismiss", "stay", "app.quit"})
 
     def on_mount(self) -> None:
         """Follow the bindings as the focus moves."""
@@ -33,17 +37,20 @@ class Foot(RowsView, can_focus=False):
 
     def _changed(self, screen: Screen[object]) -> None:
         keys: dict[str, tuple[str, str]] = {}
+        idle: frozenset[str] = getattr(screen, "idle_actions", frozenset())
         for active in screen.active_bindings.values():
             binding = active.binding
-            if binding.show and active.enabled:
+            if binding.show and active.enabled and binding.action not in idle:
                 name = self.app.get_key_display(binding)
                 keys.setdefault(binding.action, (binding.key, f"{name} {binding.description}"))
-        order = sorted(keys.values(), key=lambda key: _rank(key[0], self.FIRST))
+        order = [keys[action] for action in sorted(keys, key=self._rank)]
         self.show_once(order, lambda width: [_row(order, width)])
 
-
-def _rank(key: str, first: tuple[str, ...]) -> int:
-    return first.index(key) if key in first else len(first)
+    def _rank(self, action: str) -> int:
+        """Help and the palette come first, then the way out; the others follow as declared."""
+        if action in self.FIRST:
+            return self.FIRST.index(action)
+        return len(self.FIRST) + (action.partition("(")[0] not in self.WAYS_OUT)
 
 
 def _row(keys: list[tuple[str, str]], width: int) -> Row:

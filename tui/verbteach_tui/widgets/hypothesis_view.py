@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import ClassVar
 
+from textual import events
 from textual.binding import Binding, BindingType
 from textual.geometry import Region
 
@@ -85,7 +86,14 @@ class HypothesisView(RowsView):
         self._chosen = name
         self.show(self._drawn)
         self.post_message(NodeChosen(name))
-        place = self._drawing.places.get(name)
+        self._reveal_chosen()
+
+    def on_resize(self, event: events.Resize) -> None:
+        """The chosen node stays in view."""
+        self._reveal_chosen()
+
+    def _reveal_chosen(self) -> None:
+        place = self._drawing.places.get(self._chosen)
         if place is not None:
             row, column, size = place
             self.reveal_region(Region(column, row, size, 1))

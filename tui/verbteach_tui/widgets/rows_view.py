@@ -27,7 +27,7 @@ _TARGET = "target"
 
 
 class RowsView(ScrollView, can_focus=True):
-    """Shows what a draw function draws for its width."""
+    """Shows what a draw function draws for its width; the ``heading`` first rows never scroll."""
 
     DEFAULT_CSS = """
     RowsView {
@@ -47,6 +47,7 @@ class RowsView(ScrollView, can_focus=True):
         self._at_end = False
         self._variables: Mapping[str, str] = {}
         self._content: object = None
+        self.heading = 0
 
     def show_once(self, content: object, draw: Draw) -> None:
         """Show what ``draw`` draws of ``content``, unless that is what is shown already."""
@@ -65,9 +66,10 @@ class RowsView(ScrollView, can_focus=True):
         return self._rows
 
     def reveal(self, first: int, last: int | None = None) -> None:
-        """Scroll so that the rows from ``first`` to ``last`` are in view."""
-        height = (last if last is not None else first) - first + 1
-        self.reveal_region(Region(0, first, 1, height))
+        """Scroll so that the rows from ``first`` to ``last`` are in view, below the heading."""
+        top = max(first - self.heading, 0)
+        height = (last if last is not None else first) - top + 1
+        self.reveal_region(Region(0, top, 1, height))
 
     def reveal_region(self, region: Region) -> None:
         """Scroll so that ``region`` of the rows is in view, once the size is known."""
@@ -108,7 +110,7 @@ class RowsView(ScrollView, can_focus=True):
         """The strip at row ``y`` of what is in view."""
         width, base = self.scrollable_content_region.width, self.rich_style
         self._variables = self._variables or self.app.theme_variables
-        index = self.scroll_offset.y + y
+        index = y if y < self.heading else self.scroll_offset.y + y
         if index >= len(self._rows):
             return Strip.blank(width, base)
         segments = [

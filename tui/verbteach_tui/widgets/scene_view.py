@@ -45,10 +45,15 @@ class SceneView(RowsView):
         ``believed`` is what the robot takes the scene for, shown beside it.
         """
         self._picture, self._believed = picture, believed
+        self.heading = 0 if believed is None else 1  # the two titles stay in view
         self._emphasis = emphasis or Emphasis()
         self.border_title = picture.title
         self.border_subtitle = f"✱ {'; '.join(news)}" if news else ""
         self.show(self._drawn)
+        self._reveal_change()
+
+    def on_resize(self, event: events.Resize) -> None:
+        """What changed, and what a question is about, comes into view at every size."""
         self._reveal_change()
 
     def _drawn(self, width: int) -> Sequence[Row]:
