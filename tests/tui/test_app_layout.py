@@ -21,16 +21,14 @@ from tests.tui.room import (
     room,
     said,
 )
-from verbteach_tui.options import OpenHome, OpenSession
+from verbteach_tui.options import OpenSession
 from verbteach_tui.screens.help import HelpScreen
-from verbteach_tui.screens.scenes import ScenePicker
 from verbteach_tui.screens.verbs import VerbsScreen
 from verbteach_tui.views.rows import plain, width_of
 from verbteach_tui.widgets.command_input import CommandInput
 from verbteach_tui.widgets.dialogue_view import DialogueView
 from verbteach_tui.widgets.hypothesis_view import HypothesisView
 from verbteach_tui.widgets.rows_view import RowsView
-from verbteach_tui.widgets.scene_view import SceneView
 
 PANELS = ("dialogue", "scene", "mind")
 
@@ -130,23 +128,6 @@ async def test_growing_and_shrinking_the_terminal_keeps_everything(tmp_path: Pat
         assert here.app.screen.query_one(CommandInput) is not None
 
 
-@pytest.mark.parametrize("size", SIZES, ids=str)
-async def test_the_other_screens_fit_too(tmp_path: Path, size: tuple[int, int]) -> None:
-    async with room(tmp_path, OpenHome(), size=size) as here:
-        await here.pilot.pause(0.3)
-        check_nothing_overflows(here)
-        assert "counter" in here.app.screen.query_one(SceneView).text
-        await here.choose("scene-list", "kitchen-1")
-        here.hurry()
-        await learn_to_open(here)
-        for key, screen in (("f5", VerbsScreen), ("f6", ScenePicker), ("f1", HelpScreen)):
-            await here.key(key)
-            await here.pilot.pause(0.2)
-            assert isinstance(here.app.screen, screen)
-            check_nothing_overflows(here)
-            await here.key("escape")
-
-
 async def test_the_hypothesis_graph_is_walked_with_the_arrow_keys(tmp_path: Path) -> None:
     shown = said(tmp_path, *BOIL_THE_WATER[:-1])
     async with room(tmp_path, OpenSession(shown)) as here:
@@ -181,7 +162,7 @@ async def test_help_is_about_what_has_the_focus(tmp_path: Path) -> None:
             here.teach.query_one(target).focus()
             await here.key("f1")
             assert isinstance(here.app.screen, HelpScreen)
-            abouts.append("\n".join(map(plain, here.app.screen.query_one(RowsView).rows)))
+            abouts.append("\n".join(map(plain, here.app.screen.query_one("#help", RowsView).rows)))
             await here.key("escape")
         assert len(set(abouts)) == len(abouts)
         assert "Show the robot what to do" in abouts[-1]

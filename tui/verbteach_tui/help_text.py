@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import re
+
+from textual.binding import Binding
 from textual.dom import DOMNode
 from textual.screen import Screen
+from textual.widgets import Input, TextArea
 
 from verbteach_tui.screens.room import RoomScreen
 
-_UNSAID = frozenset(
-    {
-        *("switch", "type", "scroll_left", "scroll_right"),
-        *("app.focus_next", "app.focus_previous", "screen.copy_text"),
-    }
-)
-"""Bindings that the rows above them say better, or that say nothing to a teacher."""
+_UNSAID = frozenset({"switch", "type", "select", "app.focus_next", "app.focus_previous"})
+"""Bindings that the rows above them say better."""
+
+_GENERAL = re.compile(r"(screen\.)?(scroll|page|cursor|copy|delete|first|last|home|end|select)")
+"""How the toolkit names moving about, which every list and text has and nobody looks up."""
 
 _PLAIN_HELP = "The arrow keys choose, Enter takes, Tab goes on to the next panel."
 
@@ -30,13 +32,31 @@ def help_about(node: DOMNode) -> str:
 
 
 def keys_of(screen: Screen[object]) -> list[tuple[str, str]]:
-    """The keys that work on ``screen``, with what they do."""
+    """The keys that work on ``screen``, with what they do; those that do the same share a row."""
     rows: list[tuple[str, str]] = []
     if isinstance(screen, RoomScreen):
         rows += screen.single_keys()
-        rows.append(("Tab or /", "type instead; Tab or Escape leaves the line"))
+    if screen.query("#line"):
+        rows.append(("Tab or /", "type instead; Tab leaves the line"))
+    named: dict[str, list[str]] = {}
     for active in screen.active_bindings.values():
         binding = active.binding
-        if binding.description and not binding.system and binding.action not in _UNSAID:
-            rows.append((screen.app.get_key_display(binding), binding.description))
+        if active.enabled and _is_worth_saying(binding, screen.focused):
+            keys = named.setdefault(binding.description, [])
+            keys.append(screen.app.get_key_display(binding))
+    rows += [(", ".join(dict.fromkeys(keys)), told) for told, keys in named.items()]
     return list(dict.fromkeys(rows))
+
+
+def _is_worth_saying(binding: Binding, focused: DOMNode | None) -> bool:
+    if not binding.description or binding.system or binding.action in _UNSAID:
+        return False
+    if isinstance(focused, Input | TextArea) and binding.action in _of_toolkit(focused):
+        return False
+    return _GENERAL.match(binding.action) is None
+
+
+def _of_toolkit(focused: Input | TextArea) -> frozenset[str]:
+    """The actions that every text to type in has."""
+    kind = Input if isinstance(focused, Input) else TextArea
+    return frozenset(made.action for one in kind.BINDINGS for made in Binding.make_bindings([one]))

@@ -74,13 +74,26 @@ CLEAR = Theme(
 
 _ANSI = {"quiet": "ansi_default", "rule": "ansi_bright_black"}
 
+# The terminal says what these look like. On the usual palettes blue and red are hard to read on
+# black, green on white; the words and glyphs beside them say the same.
+ANSI_DARK = replace(
+    BUILTIN_THEMES["ansi-dark"],
+    primary="ansi_bright_cyan",
+    error="ansi_bright_red",
+    variables={**BUILTIN_THEMES["ansi-dark"].variables, **_ANSI},
+)
+ANSI_LIGHT = replace(
+    BUILTIN_THEMES["ansi-light"],
+    success="ansi_blue",
+    warning="ansi_red",
+    variables={**BUILTIN_THEMES["ansi-light"].variables, **_ANSI},
+)
+
 THEMES: tuple[Theme, ...] = (
     EVENING,
     DAYLIGHT,
     CLEAR,
-    *(
-        replace(theme, variables={**theme.variables, **_ANSI})
-        for theme in (BUILTIN_THEMES["ansi-dark"], BUILTIN_THEMES["ansi-light"])
-    ),
+    ANSI_DARK,
+    ANSI_LIGHT,
 )
 """All that the app ships; the ansi ones take the terminal's own colours."""

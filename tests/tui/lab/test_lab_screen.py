@@ -79,7 +79,7 @@ async def test_the_curve_takes_the_room_that_the_settings_leave(
     async with room(folder, OpenHome(), size=NARROW) as here:
         await here.pilot.press("l", "enter")
         await until(here, "outcome", "return of a dialogue")
-        assert not here.app.screen.query_one(LabSettings).display
+        assert not here.app.screen.query_one("#side").display
         await here.pilot.press("x")
         await here.pilot.pause(0.3)
         assert here.app.screen.query_one(LabSettings).has_focus

@@ -32,7 +32,7 @@ async def test_a_study_nearby_is_offered_and_begun_with_a_code(
     app = VerbteachApp(chosen)
     async with app.run_test(size=NARROW) as pilot:
         await pilot.pause()
-        await pilot.press("p")
+        await pilot.press("s")
         for _ in range(200):
             await pilot.pause(0.02)
             if isinstance(app.screen, StudyChooser) and app.screen._files:
@@ -61,6 +61,6 @@ async def test_a_study_nearby_is_offered_and_begun_with_a_code(
 async def test_where_the_app_is_served_there_is_no_study_to_choose(tmp_path: Path) -> None:
     app = VerbteachApp(options(tmp_path / "s", OpenHome()))
     async with app.run_test() as pilot:
-        await pilot.press("p")
+        await pilot.press("s")
         await pilot.pause(0.1)
         assert isinstance(app.screen, HomeScreen)

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.study.files import SMALL
-from tests.tui.room import NARROW, NORMAL, SETTINGS, WIDE
+from tests.tui.room import SETTINGS, WIDE
 from tests.tui.study.led import SHOW, WHOLE, Led, on_screen, plainly, sessions_of, visit_events
 from tests.tui.test_app_layout import check_nothing_overflows, in_view
 from verbteach_sessions.eventlog import LogReader
@@ -147,22 +147,6 @@ async def test_hidden_panels_cannot_be_called_up(tmp_path: Path, panels: str) ->
         assert not {"Other scene", "Tour", "Robot's view"} & set(titles)
         assert len(titles) == len({*titles})
         check_nothing_overflows(here)
-
-
-@pytest.mark.parametrize("size", [NARROW, NORMAL, WIDE, (200, 50)], ids=str)
-async def test_nothing_is_cut_off_at_any_size(tmp_path: Path, size: tuple[int, int]) -> None:
-    async with on_screen(tmp_path, size=size) as here:
-        await here.come(ReadingScreen)
-        check_nothing_overflows(here)
-        assert in_view(here, "#yes")
-        assert in_view(here, "#no")
-        await to_the_lesson(here)
-        assert in_view(here, "#task")
-        assert in_view(here, "#line")
-        check_nothing_overflows(here)
-        await here.press("f10")
-        assert in_view(here, "#pause")
-        await here.press("escape")
 
 
 async def test_what_cannot_be_kept_is_said_and_can_be_tried_again(

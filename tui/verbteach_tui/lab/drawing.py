@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from itertools import groupby, pairwise
 from typing import Any
 
+from verbteach_tui.lab.about import FIGURES
 from verbteach_tui.lab.lab import CANCELLED, DONE, FAILED, LabState
 from verbteach_tui.views.braille import BrailleCanvas
 from verbteach_tui.views.rows import Row, Span, clipped, padded, wrapped
@@ -23,13 +24,14 @@ _STAGES: Mapping[str, str] = {
 }
 _STYLES = {"learning": "accent", "execution": "robot"}
 _AXIS = 7
+_COARSE = 10  # a curve that spans less has a decimal on its axis
 _FIRST = 8  # the mean of fewer dialogues only leaps about
 
 
 def progress_rows(state: LabState, width: int) -> list[Row]:
     """What is going on, in a row or two."""
     if state.job is None:
-        return wrapped([Span("Choose on the left, then Enter starts it.", "muted")], width)
+        return wrapped([Span("Nothing is going on. Enter starts what is chosen.", "muted")], width)
     if state.phase == FAILED:
         return wrapped([Span("✗ It failed: ", "bad"), Span(visible(state.note))], width)
     if state.phase == CANCELLED:
@@ -77,7 +79,8 @@ def curve_rows(
     canvas = BrailleCanvas(max(width - _AXIS, 4), rows)
     for stage, points in drawn.items():
         _plot(canvas, points, total, (low, high), _STYLES[stage])
-    labels = {0: f"{high:+.0f}", rows - 1: f"{low:+.0f}"}
+    digits = 0 if high - low >= _COARSE else 1
+    labels = {0: f"{high:+.{digits}f}", rows - 1: f"{low:+.{digits}f}"}
     lines = [_line(canvas, y, labels.get(y, "")) for y in range(rows)]
     caption = f"{'':{_AXIS}}return of a dialogue, mean of {WINDOW}; {total} dialogues a phase"
     return [clipped(legend, width), *lines, clipped([Span(caption, "muted")], width)]
@@ -140,14 +143,22 @@ def table_rows(rows: Sequence[Mapping[str, Any]], width: int) -> list[Row]:
             for name, room in shown
         ]
         lines.append(clipped(padded(spans, width), width))
-    return [*lines, (), *wrapped([Span(_ABOUT, "muted")], width)]
+    return [*lines, (), *wrapped([Span(FIGURES, "muted")], width)]
 
 
-_ABOUT = (
-    "SJI: how much of the wanted change came about; IED: how near the plan is to the "
-    "demonstration; both 0 to 1, with the 95 % interval. Right: the share of commands carried "
-    "out exactly. Asked: questions for a lesson and for a command."
-)
+def bar_rows(rows: Sequence[Mapping[str, Any]], width: int) -> list[Row]:
+    """Each policy's SJI as a bar up to 1, and what it asked for it, for a look from afar."""
+    names = max([len(row["policy"]) for row in rows], default=0)
+    return [_bar_of(row, names, width) for row in rows]
+
+
+def _bar_of(row: Mapping[str, Any], names: int, width: int) -> Row:
+    asked = row["questions_execution"]["mean"]
+    said = f" {row['sji']['mean']:.2f} with {asked:.1f} questions"
+    room = max(width - names - 1 - len(said), 1)
+    full = round(room * min(max(row["sji"]["mean"], 0.0), 1.0))
+    bar = (Span("█" * full, "bar"), Span("░" * (room - full), "border"))
+    return clipped([Span(f"{row['policy']:{names}} "), *bar, Span(said, "muted")], width)
 
 
 def _cells(row: Mapping[str, Any]) -> dict[str, str]:

@@ -32,6 +32,19 @@ class Earlier:
     trained: bool = False
 
 
+def curves_of(run: Earlier) -> dict[str, tuple[float, ...]]:
+    """The return of each dialogue that a training run held, by phase; empty where it left none."""
+    curves: dict[str, tuple[float, ...]] = {}
+    try:
+        with (run.path / CURVES).open(encoding="utf-8", newline="") as file:
+            for line in csv.DictReader(file):
+                phase = line["phase"]
+                curves[phase] = (*curves.get(phase, ()), float(line["return"]))
+    except (OSError, ValueError, TypeError, KeyError):
+        return {}
+    return curves
+
+
 def lab_folder(sessions: Path) -> Path:
     """The lab's folder: beside the folder of sessions."""
     return sessions.parent / "lab"

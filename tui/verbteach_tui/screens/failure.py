@@ -12,6 +12,7 @@ from textual.screen import ModalScreen
 from textual.widgets import Button, Static
 
 from verbteach_tui.views.visible import visible
+from verbteach_tui.widgets.foot import Foot
 
 KEPT = (
     "What you said last has not counted; everything before it is kept. "
@@ -39,6 +40,7 @@ class FailureScreen(ModalScreen[None]):
             with VerticalScroll(classes="details"):
                 yield Static(visible_lines(self._error), markup=False)
             yield Button("Go on", id="go-on", variant="primary", compact=True)
+        yield Foot()
 
     def on_button_pressed(self) -> None:
         """Back to the session."""

@@ -11,6 +11,7 @@ from textual.containers import Vertical
 from textual.screen import ModalScreen
 
 from verbteach_tui.views.rows import Row, Span, wrapped
+from verbteach_tui.widgets.foot import Foot
 from verbteach_tui.widgets.rows_view import RowsView
 
 
@@ -27,8 +28,8 @@ class HelpScreen(ModalScreen[None]):
         """A paragraph and a table of keys."""
         with Vertical(classes="dialog -large") as dialog:
             dialog.border_title = "Help"
-            dialog.border_subtitle = "Escape: back"
             yield RowsView(id="help")
+        yield Foot()
 
     def on_mount(self) -> None:
         """Show it."""

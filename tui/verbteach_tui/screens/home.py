@@ -39,15 +39,15 @@ class HomeScreen(Screen[None]):
     HELP = (
         "The home screen. At the top the scenes a new session can begin in, below them the "
         "sessions that can be gone on with. Tab goes from one to the other, Enter starts; p plays "
-        "the chosen session back."
+        "the chosen session back, s leads into a study, l into the lab."
     )
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("q", "app.quit", "Quit"),
-        Binding("n", "scenes", "New session"),
-        Binding("c", "sessions", "Continue one"),
+        Binding("p", "play_back", "Play back"),
         Binding("l", "app.lab", "Lab"),
-        Binding("p", "app.study", "Take part in a study"),
-        Binding("p", "play_back", "Play one back"),
+        Binding("s", "app.study", "Study"),
+        Binding("n", "scenes", "New"),
+        Binding("c", "sessions", "Continue"),
     ]
 
     class Wanted(Message):
@@ -125,17 +125,19 @@ class HomeScreen(Screen[None]):
 
 
 def _label(entry: Entry) -> Content:
-    """As in: 22 Nov 2026 03:12  kitchen-1  3 commands  boil, fill."""
-    when = _local_time(entry.created)
+    """As in: 22 Nov 03:12  kitchen-1  3 commands  boil, fill."""
+    when = _local_time(entry.created, datetime.now().astimezone().year)
     if entry.problem:
         return Content(f"✗ {visible(entry.id)}  {visible(entry.problem)}")
     commands = f"{entry.episodes} command{'s' * (entry.episodes != 1)}"
     verbs = visible(", ".join(entry.verbs_learned)) or "no verb yet"
-    return Content(f"{when}  {visible(entry.scene):15} {commands:12}  {verbs}")
+    return Content(f"{when}  {visible(entry.scene):13}  {commands:11}  {verbs}")
 
 
-def _local_time(created: str) -> str:
+def _local_time(created: str, this_year: int) -> str:
+    """Day and time in this year, day and year in others: always as wide."""
     try:
-        return f"{datetime.fromisoformat(created).astimezone():%d %b %Y %H:%M}"
+        when = datetime.fromisoformat(created).astimezone()
     except ValueError:
-        return visible(created[:16])
+        return f"{visible(created[:12]):12}"
+    return f"{when:%d %b %H:%M}" if when.year == this_year else f"{when:%d %b  %Y}"

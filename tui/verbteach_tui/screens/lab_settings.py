@@ -9,6 +9,7 @@ from typing import ClassVar
 from textual.binding import Binding, BindingType
 from textual.message import Message
 
+from verbteach_tui.lab.about import SETTINGS
 from verbteach_tui.lab.jobs import (
     COMPARE,
     DIALOGUES,
@@ -21,7 +22,7 @@ from verbteach_tui.lab.jobs import (
     Job,
 )
 from verbteach_tui.messages import TargetPicked
-from verbteach_tui.views.rows import Row, Span, clipped, padded
+from verbteach_tui.views.rows import Row, Span, clipped, padded, wrapped
 from verbteach_tui.widgets.rows_view import RowsView
 
 START = "start"
@@ -72,6 +73,36 @@ def changed(job: Job, row: int, step: int) -> Job:
     return replace(job, policies=tuple(policy for policy in POLICIES if policy in wanted))
 
 
+class Meanings(RowsView, can_focus=False):
+    """What the settings mean, the one that the person stands on in view."""
+
+    BORDER_TITLE = "What it means"
+
+    def __init__(self, *, id: str | None = None) -> None:
+        super().__init__(id=id)
+        self._names: tuple[str, ...] = ()
+        self._here, self._first = "", 0
+
+    def explain(self, names: Sequence[str], here: str) -> None:
+        """Say what the settings with ``names`` mean, above all the one called ``here``."""
+        self._names, self._here = tuple(names), here
+        self.show_once((self._names, here), self._drawn)
+
+    def redrawn(self) -> None:
+        """What is meant comes into view."""
+        self.reveal(self._first, min(self._first + 4, len(self.rows) - 1))
+
+    def _drawn(self, width: int) -> Sequence[Row]:
+        rows: list[Row] = []
+        for name in self._names:
+            here = name == self._here
+            if here:
+                self._first = len(rows)
+            spans = [Span(f"{name}: ", "accent" if here else "muted")]
+            rows += wrapped([*spans, Span(SETTINGS[name], "text" if here else "muted")], width, 2)
+        return rows
+
+
 class LabSettings(RowsView):
     """Up and Down choose a row, Left and Right change it, Enter starts."""
 
@@ -89,6 +120,13 @@ class LabSettings(RowsView):
         Binding("enter", "start", "Start"),
     ]
 
+    class Reached(Message):
+        """The person stands on the setting with this name, among those of ``job``."""
+
+        def __init__(self, setting: str, job: Job) -> None:
+            super().__init__()
+            self.setting, self.job = setting, job
+
     class Started(Message):
         """The person wants this done."""
 
@@ -103,8 +141,13 @@ class LabSettings(RowsView):
 
     def on_mount(self) -> None:
         """Draw them."""
-        self.border_title = "Lab"
+        self.border_title = "What to do"
         self._redraw_all()
+
+    @property
+    def setting(self) -> str:
+        """The name of the setting that the person stands on."""
+        return settings_of(self.job)[self._row].name
 
     def action_row(self, step: int) -> None:
         """Another row."""
@@ -114,6 +157,11 @@ class LabSettings(RowsView):
     def action_change(self, step: int) -> None:
         """Another value in this row."""
         self.job = changed(self.job, self._row, step)
+        self._redraw_all()
+
+    def take(self, job: Job) -> None:
+        """Show the settings of ``job``."""
+        self.job, self._row = job, 0
         self._redraw_all()
 
     def action_start(self) -> None:
@@ -136,6 +184,11 @@ class LabSettings(RowsView):
     def _redraw_all(self) -> None:
         self.show(self._drawn)
         self.reveal(self._row)
+        self.post_message(self.Reached(self.setting, self.job))
+
+    def redrawn(self) -> None:
+        """As high as its rows, and two for the frame; a style may bound it."""
+        self.styles.height = len(self.rows) + 2
 
     def _drawn(self, width: int) -> Sequence[Row]:
         rows = [self._setting(n, one, width) for n, one in enumerate(settings_of(self.job))]

@@ -10,6 +10,8 @@ from textual.containers import Vertical
 from textual.screen import ModalScreen
 from textual.widgets import Input, Static
 
+from verbteach_tui.widgets.foot import Foot
+
 
 class NoteScreen(ModalScreen[str | None]):
     """One line of text, kept in the record; the robot does not hear it."""
@@ -23,6 +25,7 @@ class NoteScreen(ModalScreen[str | None]):
             yield Static("Kept in the record beside this turn. The robot does not hear it.")
             yield Input(placeholder="What you noticed", compact=True)
             yield Static("Enter keeps it, Escape does not.", classes="quiet")
+        yield Foot()
 
     def on_input_submitted(self, message: Input.Submitted) -> None:
         """Keep it."""

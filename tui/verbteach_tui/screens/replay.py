@@ -54,7 +54,7 @@ class ReplayScreen(PanelScreen):
         Binding("end,e", "go(1000000)", "The end", show=False),
         Binding("plus,equals_sign", "speed(1)", "Faster", show=False),
         Binding("minus", "speed(-1)", "Slower", show=False),
-        Binding("g,f8", "turns", "To a turn", id="turns"),
+        Binding("g,f8", "turns", "To a turn", show=False, id="turns"),
         Binding("f10,escape,q", "leave", "Back", id="leave"),
     ]
 

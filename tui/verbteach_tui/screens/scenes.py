@@ -10,6 +10,7 @@ from textual.containers import Vertical
 from textual.screen import ModalScreen
 from textual.widgets import Static
 
+from verbteach_tui.widgets.foot import Foot
 from verbteach_tui.widgets.scene_chooser import LoadScene, SceneChooser
 
 
@@ -33,9 +34,10 @@ class ScenePicker(ModalScreen[str | None]):
             yield SceneChooser(self._scenes, self._load, self._current, id="chooser")
             yield Static(
                 "Enter goes there. The robot takes along what it has learned, and finds the scene "
-                "as it starts. Escape stays here.",
+                "as it starts.",
                 classes="quiet",
             )
+        yield Foot()
 
     def on_mount(self) -> None:
         """The list has the keys."""

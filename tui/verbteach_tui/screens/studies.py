@@ -16,6 +16,7 @@ from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
 
 from verbteach_tui.views.visible import visible
+from verbteach_tui.widgets.foot import Foot
 
 _EXAMPLE = "example"
 _PATTERNS = ("*.toml", "*/study.toml")
@@ -54,6 +55,7 @@ class StudyChooser(ModalScreen[Chosen | None]):
             yield Static("Your code, if you have begun before:", classes="quiet")
             yield Input(placeholder="none: you begin now", id="code", compact=True)
             yield Static("", id="problem", markup=False)
+        yield Foot()
 
     def on_mount(self) -> None:
         """Look for studies, away from the event loop."""

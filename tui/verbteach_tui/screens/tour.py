@@ -11,6 +11,7 @@ from textual.screen import ModalScreen
 
 from verbteach_tui.messages import TargetPicked
 from verbteach_tui.views.rows import Row, Span, wrapped
+from verbteach_tui.widgets.foot import Foot
 from verbteach_tui.widgets.rows_view import RowsView
 
 if TYPE_CHECKING:
@@ -74,6 +75,14 @@ STOPS = (
 """What is told, in order."""
 
 
+class Told(RowsView, can_focus=False):
+    """What is told at one stop; it takes as many rows as that needs."""
+
+    def redrawn(self) -> None:
+        """As high as its rows."""
+        self.styles.height = len(self.rows)
+
+
 class TourScreen(ModalScreen[None]):
     """A box that speaks of one panel after the other, which stands out meanwhile."""
 
@@ -96,7 +105,8 @@ class TourScreen(ModalScreen[None]):
     def compose(self) -> ComposeResult:
         """The box."""
         with Vertical(classes="dialog -tour", id="tour"):
-            yield RowsView(id="told")
+            yield Told(id="told")
+        yield Foot()
 
     def on_mount(self) -> None:
         """Begin."""
@@ -129,7 +139,7 @@ class TourScreen(ModalScreen[None]):
         # The box leaves free what it speaks of.
         self.set_class(stop.panel in ("line", "keys"), "-above")
         self.query_one("#tour").border_title = f"Tour {self._at + 1} of {len(STOPS)}: {stop.title}"
-        told = self.query_one("#told", RowsView)
+        told = self.query_one(Told)
         told.show(lambda width: _rows(stop, self._at == len(STOPS) - 1, width))
 
     def _stand_out(self, panel: str) -> None:

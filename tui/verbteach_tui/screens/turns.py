@@ -14,12 +14,13 @@ from textual.widgets import OptionList, Static
 from textual.widgets.option_list import Option
 
 from verbteach_tui.turns import TurnChoice
+from verbteach_tui.widgets.foot import Foot
 
 UNDOING = (
     "Enter goes there: what came after it is taken back, and ↷ can be done again. Nothing is lost "
-    "from the record. Escape stays here."
+    "from the record."
 )
-LOOKING = "Enter goes there. Escape stays here."
+LOOKING = "Enter goes there."
 
 
 class TurnPicker(ModalScreen[int | None]):
@@ -41,6 +42,7 @@ class TurnPicker(ModalScreen[int | None]):
             dialog.border_title = "Go to right after …"
             yield OptionList(*map(_option, self._turns), id="turns", compact=True)
             yield Static(self._advice, classes="quiet")
+        yield Foot()
 
     def on_mount(self) -> None:
         """Begin at the turn on the screen."""
@@ -48,6 +50,10 @@ class TurnPicker(ModalScreen[int | None]):
         here = next(i for i, turn in enumerate(self._turns) if turn.undone == 0)
         turns.highlighted = here
         turns.focus()
+
+    def on_resize(self) -> None:
+        """The turn under the cursor is in view at every size."""
+        self.call_after_refresh(self.query_one("#turns", OptionList).scroll_to_highlight)
 
     def on_option_list_option_selected(self, message: OptionList.OptionSelected) -> None:
         """Go there."""

@@ -11,6 +11,7 @@ from textual.screen import ModalScreen
 from textual.widgets import Button, Static
 
 from verbteach_tui.study import words
+from verbteach_tui.widgets.foot import Foot
 
 PAUSE, STOP = "pause", "stop"
 
@@ -44,6 +45,7 @@ class LeavingScreen(ModalScreen[str]):
                 yield Button("[u]P[/u]ause", id=PAUSE, compact=True, variant="primary")
                 yield Button("[u]E[/u]nd it", id=STOP, compact=True)
                 yield Button("Stay", id="stay", compact=True)
+        yield Foot()
 
     def on_button_pressed(self, event: Button.Pressed) -> None:
         """A button."""

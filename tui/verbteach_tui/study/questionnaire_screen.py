@@ -64,6 +64,11 @@ class QuestionnaireScreen(Screen[None]):
         self._shown_at = monotonic()
         self.query_one(TitleBar).show_title(visible(self._title))
 
+    def on_resize(self) -> None:
+        """The question with the keys stays in view."""
+        if self.focused is not None:
+            self.call_after_refresh(self.focused.scroll_visible, animate=False)
+
     def on_button_pressed(self, event: Button.Pressed) -> None:
         """Done."""
         event.stop()

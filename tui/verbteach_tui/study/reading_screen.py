@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import ClassVar, NamedTuple
 
+from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Center, Horizontal, Vertical
@@ -18,7 +19,7 @@ from verbteach_tui.widgets.foot import Foot
 from verbteach_tui.widgets.rows_view import RowsView
 from verbteach_tui.widgets.title_bar import TitleBar
 
-_BESIDE = 5
+_BESIDE = 4
 """Rows of the screen that are not for the text."""
 
 
@@ -39,6 +40,22 @@ class Page(RowsView):
     def redrawn(self) -> None:
         """Two more for the frame, and below it the buttons."""
         self.styles.height = min(len(self.rows) + 2, max(self.app.size.height - _BESIDE, 4))
+        self._say_whether_more()
+
+    def watch_scroll_y(self, old_value: float, new_value: float) -> None:
+        """Say in the frame whether there is more to read."""
+        super().watch_scroll_y(old_value, new_value)
+        self._say_whether_more()
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Another height leaves another part of the text in view."""
+        room = max(self.app.size.height - _BESIDE, 4)
+        self.styles.height = min(len(self.rows) + 2, room)
+        self.call_after_refresh(self._say_whether_more)
+
+    def _say_whether_more(self) -> None:
+        below = len(self.rows) - self.scroll_offset.y - self.scrollable_content_region.height
+        self.border_subtitle = "more below: ↓" if below > 0 and self.is_attached else ""
 
 
 class ReadingScreen(Screen[None]):
