@@ -1,31 +1,29 @@
-"""The user guide's pictures: a lesson played in the running app, a picture at each point.
+"""The guides' pictures: a lesson played in the running app, a picture at each point.
 
-Run ``python docs/screenshots.py`` after changing a screen; it writes
-``docs/images/*.svg``. No terminal is needed.
+Run ``python docs/screenshots.py`` after changing a screen, with the names of
+pictures for those alone; it writes ``docs/images/*.svg``. No terminal is needed.
 """
 
 from __future__ import annotations
 
 import asyncio
-import re
 import sys
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from textual.pilot import Pilot
+sys.path.insert(0, str(Path(__file__).parent.parent))
 
+from docs.played import Step, do, picture, settled
+from docs.study_screenshots import TAKING_PART, take_part, train
 from verbteach_scenarios.scenes import load_scene, scene_ids
 from verbteach_scenarios.settings import make_settings
 from verbteach_sessions.driving import ScriptTeacher, drive
 from verbteach_sessions.header import Header
 from verbteach_sessions.session import Session
 from verbteach_tui.app import VerbteachApp
-from verbteach_tui.keyguard import KeyGuard
 from verbteach_tui.options import AppOptions, OpenHome, Opening, OpenNew, OpenRecord
-from verbteach_tui.screens.teach import TeachScreen
-from verbteach_tui.widgets.command_input import CommandInput
 
 IMAGES = Path(__file__).parent / "images"
 WIDE, NORMAL, NARROW = (120, 40), (80, 24), (60, 20)
@@ -51,18 +49,6 @@ RECORDED = (
     "do: moveto Burner_1",
     "do: set-on Kettle_1 Burner_1",
 )
-
-
-class Step(NamedTuple):
-    """Type ``line``, else press ``key``; then take the picture ``shot``, if it has a name.
-
-    ``phase`` is what the robot must wait for afterwards, where that matters.
-    """
-
-    line: str = ""
-    key: str = ""
-    shot: str = ""
-    phase: str = ""
 
 
 class Scenario(NamedTuple):
@@ -133,63 +119,38 @@ async def play(scenario: Scenario, folder: Path) -> dict[str, str]:
     )
     shots: dict[str, str] = {}
     async with app.run_test(size=scenario.size) as pilot:
-        await _settled(pilot)
+        await settled(pilot)
         for step in scenario.steps:
-            await _do(pilot, step)
-            _check(pilot, step)
+            await do(pilot, step)
             if step.shot:
-                shots[step.shot] = _portable(app.export_screenshot(title="verbteach"))
+                shots[step.shot] = picture(app)
     app.close_sessions()
     return shots
 
 
-async def _do(pilot: Pilot[None], step: Step) -> None:
-    screen = pilot.app.screen
-    if isinstance(screen, TeachScreen):
-        screen.guard = KeyGuard(0.0, 0.0)
-    if step.line:
-        line = screen.query_one(CommandInput)
-        line.focus()
-        line.value = step.line
-    if step.line or step.key:
-        await pilot.press(step.key or "enter")
-    await _settled(pilot)
+async def everything(folder: Path, names: Sequence[str]) -> dict[str, str]:
+    """All pictures, or those of ``names``, by name; whatever is played lies in ``folder``."""
+    shots: dict[str, str] = {}
+    for number, scenario in enumerate(SCENARIOS):
+        if _is_wanted((step.shot for step in scenario.steps), names):
+            shots |= await play(scenario, folder / f"sessions-{number}")
+    if _is_wanted((step.shot for step in TAKING_PART), names):
+        shots |= await take_part(folder)
+    if _is_wanted(("lab",), names):
+        shots |= await train(folder)
+    return {name: svg for name, svg in shots.items() if not names or name in names}
 
 
-def _check(pilot: Pilot[None], step: Step) -> None:
-    screen = pilot.app.screen
-    if step.phase and isinstance(screen, TeachScreen):
-        phase = screen.snapshot.phase.value
-        if phase != step.phase:
-            raise SystemExit(f"after {step.line or step.key!r} the robot waits for {phase}")
-
-
-async def _settled(pilot: Pilot[None]) -> None:
-    """Wait until no worker runs and all that they did is drawn."""
-    for _ in range(600):
-        await pilot.pause(0.02)
-        screen = pilot.app.screen
-        thinking = isinstance(screen, TeachScreen) and screen.thinking
-        if not thinking and not any(worker.is_running for worker in pilot.app.workers):
-            break
-    await pilot.pause(0.2)
-
-
-def _portable(svg: str) -> str:
-    """Without the fonts that the picture would fetch from elsewhere."""
-    return re.sub(r"@font-face \{.*?\}\s*", "", svg, flags=re.DOTALL).replace(
-        "Fira Code", "DejaVu Sans Mono, Menlo, Consolas"
-    )
+def _is_wanted(shots: Iterable[str], names: Sequence[str]) -> bool:
+    return not names or not set(names).isdisjoint(shots)
 
 
 def main(names: Sequence[str]) -> None:
     """Write the pictures, or those of them that ``names`` says."""
     IMAGES.mkdir(exist_ok=True)
-    for scenario in SCENARIOS:
-        with tempfile.TemporaryDirectory() as folder:
-            for name, svg in asyncio.run(play(scenario, Path(folder))).items():
-                if not names or name in names:
-                    (IMAGES / f"{name}.svg").write_text(svg, encoding="utf-8")
+    with tempfile.TemporaryDirectory() as folder:
+        for name, svg in asyncio.run(everything(Path(folder), names)).items():
+            (IMAGES / f"{name}.svg").write_text(svg, encoding="utf-8")
 
 
 if __name__ == "__main__":
