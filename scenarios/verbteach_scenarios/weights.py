@@ -1,7 +1,7 @@
 """Files of policy weights: those that `verbteach train` writes, and those that come with the robot.
 
-The starting weights were trained on the bundled lessons; `docs/training.md`
-has the command.
+The starting weights were trained on the bundled lessons; `docs/live-learning.md`
+says how.
 """
 
 from __future__ import annotations
