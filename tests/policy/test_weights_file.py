@@ -74,6 +74,8 @@ def test_weights_for_other_features_are_refused_by_name() -> None:
         ({"version": 99}, "version 99"),
         ({"phases": 3}, "'phases'"),
         ({"training": []}, "'training'"),
+        ({"promises": []}, "'promises'"),
+        ({"promises": {"sureness": {"charm": 1.0}}}, "'promises'.*other features.*train"),
     ],
 )
 def test_what_is_no_weights_is_said(change: dict[str, Any], reason: str) -> None:
