@@ -16,7 +16,7 @@ from typing import NamedTuple
 sys.path.insert(0, str(Path(__file__).parent.parent))
 
 from docs.played import Step, do, picture, settled
-from docs.study_screenshots import TAKING_PART, take_part, train
+from docs.study_screenshots import TAKING_PART, in_the_lab, take_part
 from verbteach_scenarios.scenes import load_scene, scene_ids
 from verbteach_scenarios.settings import make_settings
 from verbteach_sessions.driving import ScriptTeacher, drive
@@ -137,7 +137,7 @@ async def everything(folder: Path, names: Sequence[str]) -> dict[str, str]:
     if _is_wanted((step.shot for step in TAKING_PART), names):
         shots |= await take_part(folder)
     if _is_wanted(("lab",), names):
-        shots |= await train(folder)
+        shots |= await in_the_lab(folder)
     return {name: svg for name, svg in shots.items() if not names or name in names}
 
 

@@ -11,17 +11,12 @@ from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
-from textual.pilot import Pilot
-
 from docs.played import Step, do, picture, settled
 from verbteach_sessions.study.bundled import EXAMPLE
 from verbteach_tui.app import VerbteachApp
 from verbteach_tui.beginning import Beginning
-from verbteach_tui.lab.jobs import DIALOGUES
 from verbteach_tui.options import OpenHome, OpenNew
 from verbteach_tui.room import app_options
-from verbteach_tui.screens.lab import LabScreen
-from verbteach_tui.screens.lab_settings import LabSettings
 from verbteach_tui.study.app import StudyApp
 from verbteach_tui.study.run import StudyRun
 
@@ -69,44 +64,15 @@ async def take_part(folder: Path) -> dict[str, str]:
     return shots
 
 
-async def train(folder: Path) -> dict[str, str]:
-    """Train in the lab, with as few dialogues as it offers, and look at the curve."""
+async def in_the_lab(folder: Path) -> dict[str, str]:
+    """Look into the lab: what can be set, and what it means."""
     with _inside(folder):
         app = VerbteachApp(app_options(Beginning(Path("sessions"), "app"), OpenHome()))
         async with app.run_test(size=WIDE) as pilot:
             await settled(pilot)
-            await pilot.press("l")
-            await settled(pilot)
-            await _set_fewest(pilot)
-            await pilot.press("enter")
-            await _over(pilot)
-            await settled(pilot)
+            await do(pilot, Step(key="l"))
+            await do(pilot, Step(key="down"))
             return {"lab": picture(app)}
-
-
-async def _set_fewest(pilot: Pilot[None]) -> None:
-    """Go down to the number of dialogues, and to the fewest."""
-    settings = pilot.app.screen.query_one(LabSettings)
-    for _ in range(10):
-        before = settings.job
-        await pilot.press("left")
-        if settings.job.dialogues < before.dialogues == DIALOGUES[1]:
-            return
-        if settings.job != before:
-            await pilot.press("right")
-        await pilot.press("down")
-
-
-async def _over(pilot: Pilot[None]) -> None:
-    """Wait until the lab's work is over."""
-    screen = pilot.app.screen
-    assert isinstance(screen, LabScreen)
-    for _ in range(6000):
-        await pilot.pause(0.1)
-        state = screen._seen
-        if state is not None and state.job is not None and not state.running:
-            return
-    raise SystemExit("the lab's work did not come to an end")
 
 
 @contextmanager
