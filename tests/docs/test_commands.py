@@ -72,11 +72,15 @@ def test_every_key_is_documented(name: str, words: tuple[str, ...]) -> None:
     assert set(keys(document)) <= documented_keys(name)
 
 
+WITH_A_PROMISE = {"promise", "rate", "sure", "lessons"}
+"""What `teach` reports of a promise, where one was made."""
+
+
 def test_every_key_about_sessions_is_documented(tmp_path: Path) -> None:
     lesson = "command: fetch the kettle\nskip\n"
     words = ("teach", "--teacher", "-", "--sessions", tmp_path, "--json")
     taught = here(*words, typed=lesson).document
-    assert set(keys(taught)) == documented_keys("teach")
+    assert set(keys(taught)) == documented_keys("teach") - WITH_A_PROMISE
     session = taught["session"]
     for name, more in (
         ("replay", (session,)),
