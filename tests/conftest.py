@@ -1,13 +1,23 @@
-"""For all tests: property tests have no deadline, and nothing is kept in one's own folders."""
+"""For all tests: property tests have no deadline, and nothing is kept in one's own folders.
+
+Numpy works on one thread, as the commands let it, and processes that tests begin
+can be interrupted though the tests themselves were begun in the background.
+"""
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Iterator
 
 import pytest
 from hypothesis import settings
 
 from verbteach_sessions.places import DATA_VARIABLE
+from verbteach_tui.workers import one_thread
+
+one_thread()
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 settings.register_profile("patient", deadline=None)  # a busy machine is no failure
 settings.load_profile("patient")

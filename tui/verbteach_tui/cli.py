@@ -21,6 +21,9 @@ def main(words: list[str] | None = None) -> int:
     if words == ["--version"]:
         print(f"verbteach {__version__}")
         return 0
+    from verbteach_tui.workers import one_thread
+
+    one_thread()
     if not words and COMPLETION_VARIABLE not in os.environ:
         from verbteach_tui.commands.home import home
         from verbteach_tui.conclusion import concluded

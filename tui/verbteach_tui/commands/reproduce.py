@@ -14,7 +14,7 @@ import typer
 from verbteach_tui.commands.parameters import JsonFlag, NoiseReading, SeedOption, chosen
 from verbteach_tui.commands.streams import Progress, emit, note, progress, tell
 from verbteach_tui.conclusion import WrongUseError
-from verbteach_tui.workers import Workers, one_thread
+from verbteach_tui.workers import Workers
 
 if TYPE_CHECKING:
     from verbteach.experiments.interactive_protocol import Config
@@ -82,7 +82,6 @@ def reproduce(
     The number of processes changes no figure. A run that was broken off goes
     on with --resume.
     """
-    one_thread()
     if test_data is not None and data is None:
         raise WrongUseError("--test-data needs --data: what to learn from")
     began = time.monotonic()

@@ -17,7 +17,6 @@ from verbteach_tui.commands.parameters import (
 )
 from verbteach_tui.commands.streams import Progress, columns, emit, note, progress, tell
 from verbteach_tui.conclusion import WrongUseError
-from verbteach_tui.workers import one_thread
 
 if TYPE_CHECKING:
     from verbteach.dialogue.lesson import Lesson
@@ -87,7 +86,6 @@ def train(
     program was trained by this command on the bundled lessons. A third of the
     rooms is set apart to calibrate what `verbteach teach --promise` promises.
     """
-    one_thread()
     if data is not None and (calibrate or weights is not None):
         raise WrongUseError("--calibrate and --weights go with the bundled lessons, not --data")
     schooling = _schooling(noise, noise_reading, learner, episodes, seed or 0)
