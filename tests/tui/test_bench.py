@@ -16,14 +16,28 @@ from verbteach.dialogue.setting import Settings
 from verbteach_scenarios.lessons import load_lessons
 from verbteach_scenarios.pddl import parse_domain, parse_problem
 from verbteach_scenarios.settings import make_settings
+from verbteach_sessions.replay import verify
 from verbteach_tui.bench import clock, peers, planning, startup
+from verbteach_tui.bench.allowance import Allowance
+from verbteach_tui.bench.apart import measured_apart
 from verbteach_tui.bench.dialogue import (
     PlanCounter,
     dialogues_per_second,
+    long_session,
     planned_episodes_per_second,
 )
 from verbteach_tui.bench.memory import resident_mb
+from verbteach_tui.bench.painting import PRESSED, key_to_paint
+from verbteach_tui.bench.parts import PARTS
 from verbteach_tui.bench.questions import Question, of_lessons, spread
+from verbteach_tui.bench.workbench import Amounts
+from verbteach_tui.commands.bench import NAMES
+
+SHORT = [
+    lesson
+    for lesson in load_lessons()
+    if lesson.scene == "kitchen-1" and len(lesson.demonstration) < 5
+]
 
 
 @pytest.fixture(scope="module")
@@ -167,13 +181,87 @@ def test_dialogues_and_episodes_are_counted(
 ) -> None:
     monkeypatch.setattr("verbteach_tui.bench.dialogue.SECONDS", 0.2)
     monkeypatch.setattr("verbteach_tui.bench.dialogue.TAUGHT", 2)
-    lessons = [
-        lesson
-        for lesson in load_lessons()
-        if lesson.scene == "kitchen-1" and len(lesson.demonstration) < 5
-    ]
     assert dialogues_per_second(settings, "kitchen-1") > 1
-    assert planned_episodes_per_second(lessons, settings) > 0.1
+    assert planned_episodes_per_second(SHORT, settings, Allowance(60)) > 0.1
+
+
+def test_a_long_session_is_timed_after_the_turns_before_it(
+    settings: Settings, tmp_path: Path
+) -> None:
+    told: list[int] = []
+    held = long_session(tmp_path, SHORT, settings, (5, 7), Allowance(600), told.append)
+    assert (held.before, len(held.plain) + len(held.planned)) == (5, 7)
+    assert told == list(range(1, 13))
+    assert held.planned, "a demonstration that ends is planned for"
+    assert held.longest[0] == max(*held.plain, *held.planned)
+    found = verify(held.path, settings)
+    assert found.first_difference is None
+    assert found.events > 12
+
+
+def test_a_long_session_ends_when_its_time_is_up(settings: Settings, tmp_path: Path) -> None:
+    held = long_session(tmp_path, SHORT, settings, (5, 7), Allowance(0), lambda n: None)
+    assert (held.before, held.plain, held.planned) == (0, [], [])
+
+
+def test_planning_ends_when_its_time_is_up(questions: list[Question]) -> None:
+    measured = planning.measure(questions, "plain", lambda n: None, Allowance(0))
+    assert (measured["questions"], measured["p95"]) == (0, None)
+
+
+def test_an_allowance_runs_out() -> None:
+    short = Allowance(0.02)
+    time.sleep(0.03)
+    assert short.over()
+    assert short.over(0.5)
+    assert not Allowance(600).over(0.01)
+
+
+def test_a_process_apart_says_how_far_it_is_and_what_it_found(tmp_path: Path) -> None:
+    told: list[int] = []
+    answer = measured_apart("tests.tui.apart", ("3",), 60, told.append, without=["numba"])
+    assert told == [1, 2, 3]
+    assert answer == {"words": ["3"], "numba": False}
+
+
+def test_a_process_apart_that_fails_or_never_ends_has_no_answer(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("verbteach_tui.bench.apart.GRACE", 0.1)
+    assert measured_apart("tests.tui.apart", ("torn",), 60, lambda n: None) is None
+    start = time.monotonic()
+    assert measured_apart("tests.tui.apart", ("endless",), 1, lambda n: None) is None
+    assert time.monotonic() - start < 30
+
+
+@pytest.mark.slow
+def test_keys_are_timed_in_a_session_that_was_made(settings: Settings, tmp_path: Path) -> None:
+    held = long_session(tmp_path, SHORT, settings, (0, 8), Allowance(600), lambda n: None)
+    told: list[int] = []
+    found = key_to_paint(held.path, 300, told.append)
+    assert len(found["typing"]) + len(found["turning"]) == PRESSED == told[-1]
+    assert max(found["typing"]) < 2000, "no key that types goes unseen"
+
+
+def test_only_the_parts_that_were_named_are_measured(monkeypatch: pytest.MonkeyPatch) -> None:
+    small = Amounts(questions=3)
+    monkeypatch.setattr("verbteach_tui.bench.workbench.AMOUNTS", small)
+    ran = here("bench", "--part", "plans", "--plain", "--json")
+    assert ran.status == 0
+    assert set(ran.document) == {"plan_ms", "peers", "seconds", "load"}
+    assert ran.document["plan_ms"]["path"] == "plain"
+    assert set(ran.document["seconds"]) == {"plans"}
+
+
+def test_a_part_that_is_not_there_is_refused() -> None:
+    ran = here("bench", "--part", "wheels")
+    assert ran.status == 2
+    assert "'wheels'" in ran.err
+    assert "startup, plans" in ran.err
+
+
+def test_every_part_that_can_be_named_can_be_measured() -> None:
+    assert tuple(PARTS) == NAMES
 
 
 def test_this_process_holds_some_memory() -> None:
@@ -188,11 +276,10 @@ def test_version_is_timed_in_a_process_of_its_own() -> None:
 @pytest.mark.slow
 def test_bench_prints_every_figure_of_the_contract(monkeypatch: pytest.MonkeyPatch) -> None:
     """In small, but with everything that is measured."""
-    monkeypatch.setattr("verbteach_tui.bench.dialogue.WARMED", 20)
     monkeypatch.setattr("verbteach_tui.bench.dialogue.SECONDS", 0.2)
     monkeypatch.setattr("verbteach_tui.bench.dialogue.TAUGHT", 3)
-    for name, value in {"QUESTIONS": 10, "TURNS": 60, "APP_TURNS": 20, "KEY_TURNS": 12}.items():
-        monkeypatch.setattr(f"verbteach_tui.commands.bench.{name}", value)
+    small = Amounts(questions=10, before=20, timed=60, app=20, replayed=20)
+    monkeypatch.setattr("verbteach_tui.bench.workbench.AMOUNTS", small)
     ran = here("bench", "--json")
     assert ran.status == 0
     document = ran.document
@@ -208,3 +295,6 @@ def test_bench_prints_every_figure_of_the_contract(monkeypatch: pytest.MonkeyPat
     for name in ("dialogues_per_s", "planned_episodes_per_s", "replay_events_per_s", "rss_mb"):
         assert document[name] > 0
     assert document["peers"] == {}
+    assert document["turns"]["before"] == 20
+    assert document["rss"]["turns"] == 20
+    assert set(document["seconds"]) == set(NAMES) - {"peers"}

@@ -16,13 +16,15 @@ from verbteach.dialogue.simulated import SimulatedTeacher, seeded_order
 from verbteach.policy.demonstration_only import DemonstrationOnlyPolicy
 from verbteach.world.fluents import Goal, State
 from verbteach.world.plan import Plan, PlanFailure, Planner
+from verbteach_scenarios.weights import starting_weights
 from verbteach_sessions.header import Header
+from verbteach_sessions.method import Method, starting_policy
 from verbteach_sessions.replay import verify
 from verbteach_sessions.session import Session
+from verbteach_tui.bench.allowance import Allowance
 from verbteach_tui.bench.clock import per_second, timed
 
 SEED = 1
-WARMED = 500  # turns before any is timed
 SECONDS = 3.0  # that something is repeated for
 TAUGHT = 20  # lessons that the robot has had before episodes are counted
 
@@ -56,36 +58,61 @@ class _Watched:
 
 @dataclass
 class Turns:
-    """Milliseconds a turn, from the teacher's act to the robot's answer on the disk."""
+    """Milliseconds a turn, from the teacher's act to the robot's answer on the disk.
+
+    ``before`` turns were not timed. ``longest`` has the teacher's act of the longest turn.
+    """
 
     path: Path
+    before: int = 0
     plain: list[float] = field(default_factory=list)
     planned: list[float] = field(default_factory=list)
+    longest: tuple[float, str] = (0.0, "")
+
+    def take(self, spent: float, act: acts.TeacherAct, planned: bool) -> None:
+        """Note one turn's milliseconds."""
+        (self.planned if planned else self.plain).append(spent)
+        self.longest = max(self.longest, (spent, type(act).__name__))
 
 
 def long_session(
     folder: Path,
     lessons: Sequence[Lesson],
     settings: Settings,
-    timed_turns: int,
+    lengths: tuple[int, int],
+    allowance: Allowance,
     done: Callable[[int], None],
 ) -> Turns:
-    """Teach in one session for ``WARMED`` turns, and then ``timed_turns`` more with a clock."""
-    counter = PlanCounter(settings)
+    """Teach a robot as it comes, in one session, and time its turns.
+
+    ``lengths`` is how many turns come before the clock, and how many with it.
+    Half of the allowance may go to the former, what is left of it to the latter.
+    """
     order = seeded_order(lessons, len(lessons) * 50, SEED)
+    counter = PlanCounter(settings)
     teacher = SimulatedTeacher(order, counter)
-    with Session.create(folder, Header.new(order[0].scene), counter) as session:
+    before, after = lengths
+    with Session.create(folder, _header(order[0].scene), counter) as session:
         turns = Turns(session.path)
-        for number in range(WARMED + timed_turns):
+        while len(turns.plain) + len(turns.planned) < after and not allowance.over():
             act = teacher.reply(session.turn, session.robot.state)
             if act is None:
                 break
-            before = counter.calls
+            calls = counter.calls
             spent, _ = timed(lambda: session.perform(act, via="simulated"))  # noqa: B023
-            if number >= WARMED:
-                (turns.planned if counter.calls > before else turns.plain).append(spent)
-            done(number + 1)
+            if turns.before < before and not allowance.over(0.5):
+                turns.before += 1
+            else:
+                turns.take(spent, act, counter.calls > calls)
+            done(turns.before + len(turns.plain) + len(turns.planned))
     return turns
+
+
+def _header(scene: str) -> Header:
+    """Of a session of the robot that people meet: it asks as it was trained to, and learns on."""
+    method = starting_policy(starting_weights(), frozen=False)
+    parameters = RobotParameters(seed=SEED)
+    return Header.new(scene, Method(method, parameters), interface="bench", teacher="simulated")
 
 
 def replayed_per_second(path: Path, settings: Settings) -> float:
@@ -108,13 +135,16 @@ def dialogues_per_second(settings: Settings, scene: str) -> float:
     return per_second(dialogue, SECONDS)
 
 
-def planned_episodes_per_second(lessons: Sequence[Lesson], settings: Settings) -> float:
+def planned_episodes_per_second(
+    lessons: Sequence[Lesson], settings: Settings, allowance: Allowance
+) -> float:
     """Whole episodes of a robot that has been taught, each planned and judged, a second."""
     robot = _robot(settings)
     some = seeded_order(lessons, TAUGHT, SEED)
     robot.open(some[0].scene)
     for _ in _episodes(robot, some, settings):
-        pass
+        if allowance.over(0.8):
+            break
     endless = _episodes(robot, tuple(some) * 1000, settings)
     return per_second(lambda: next(endless), SECONDS)
 

@@ -1,19 +1,20 @@
 """How long a key takes to show on the screen in a session with a long log.
 
-`python -m verbteach_tui.bench.painting FOLDER TURNS` makes such a session,
-opens it in the app without a terminal, and prints the milliseconds of each key
-as JSON: keys that type, and keys that take a turn back and do it again.
+`python -m verbteach_tui.bench.painting SESSION` opens such a session in the app
+without a terminal, and prints the milliseconds of each key: keys that type, and
+keys that take a turn back and do it again.
 """
 
 from __future__ import annotations
 
 import asyncio
-import json
-import subprocess
 import sys
 import time
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from verbteach_tui.bench.apart import measured_apart, tell
 
 if TYPE_CHECKING:
     from textual.pilot import Pilot
@@ -24,56 +25,37 @@ SIZE = (120, 40)
 ROUNDS = 12
 TYPING = ("a", "b", "backspace", "backspace")
 TURNING = ("ctrl+z", "ctrl+y")
+PRESSED = (ROUNDS - 1) * (len(TYPING) + len(TURNING))  # keys that are timed
 PATIENCE = 2.0
 
 
-def key_to_paint(folder: Path, turns: int) -> dict[str, list[float]]:
+def key_to_paint(
+    session: Path, seconds: float, done: Callable[[int], None], without: Sequence[str] = ()
+) -> dict[str, list[float]]:
     """Milliseconds from a key to its paint, of ``typing`` and of ``turning`` keys."""
-    words = [sys.executable, "-m", "verbteach_tui.bench.painting", str(folder), str(turns)]
-    done = subprocess.run(words, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        return {"typing": [], "turning": []}
-    found: dict[str, list[float]] = json.loads(done.stdout)
-    return found
+    words = (str(session),)
+    found = measured_apart("verbteach_tui.bench.painting", words, seconds, done, without)
+    return found or {"typing": [], "turning": []}
 
 
-async def run(folder: Path, turns: int) -> dict[str, list[float]]:
-    """Make a session of ``turns`` turns, and press keys in it."""
+async def run(session: Path) -> dict[str, list[float]]:
+    """Open the session, and press keys in it."""
     from verbteach_tui.app import VerbteachApp
     from verbteach_tui.beginning import Beginning
     from verbteach_tui.options import OpenSession
     from verbteach_tui.room import app_options
     from verbteach_tui.screens.teach import TeachScreen
 
-    path = _taught(folder, turns)
-    opening = OpenSession(path)
-    app = VerbteachApp(app_options(Beginning(folder, "app"), opening, speed=0.0))
+    beginning = Beginning(session.parent, "app")
+    app = VerbteachApp(app_options(beginning, OpenSession(session), speed=0.0))
     async with app.run_test(size=SIZE) as pilot:
         while not isinstance(app.screen, TeachScreen):
             await asyncio.sleep(0.01)
         await pilot.pause(0.5)
+        await pilot.press("slash")  # to the input, whatever the robot waits for
         times = await _pressed(app, pilot)
     app.close_sessions()
     return times
-
-
-def _taught(folder: Path, turns: int) -> Path:
-    from verbteach.dialogue.simulated import SimulatedTeacher, seeded_order
-    from verbteach_scenarios.lessons import load_lessons
-    from verbteach_scenarios.settings import make_settings
-    from verbteach_sessions.header import Header
-    from verbteach_sessions.session import Session
-
-    settings = make_settings()
-    order = seeded_order(load_lessons(), turns, 1)
-    teacher = SimulatedTeacher(order, settings)
-    with Session.create(folder, Header.new(order[0].scene, interface="bench"), settings) as session:
-        for _ in range(turns):
-            act = teacher.reply(session.turn, session.robot.state)
-            if act is None:
-                break
-            session.perform(act, via="simulated")
-        return session.path
 
 
 async def _pressed(app: VerbteachApp, pilot: Pilot[None]) -> dict[str, list[float]]:
@@ -85,6 +67,7 @@ async def _pressed(app: VerbteachApp, pilot: Pilot[None]) -> dict[str, list[floa
                 taken = await painted.after(key, name == "turning")
                 if number:  # the first round only warms up
                     times[name].append(taken)
+                    tell(len(times["typing"]) + len(times["turning"]))
                 await pilot.pause(0.1)
     return times
 
@@ -123,4 +106,4 @@ class _Painted:
 
 
 if __name__ == "__main__":
-    print(json.dumps(asyncio.run(run(Path(sys.argv[1]), int(sys.argv[2])))))
+    tell(asyncio.run(run(Path(sys.argv[1]))))

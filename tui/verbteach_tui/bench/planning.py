@@ -8,6 +8,7 @@ from typing import Any
 from verbteach.world import compiled
 from verbteach.world.plan import Plan
 from verbteach.world.planner import PlannerConfig, PlannerPath, SearchPlanner, make_planner
+from verbteach_tui.bench.allowance import Allowance
 from verbteach_tui.bench.clock import percentiles, timed
 from verbteach_tui.bench.questions import Question
 
@@ -20,12 +21,20 @@ def paths() -> tuple[PlannerPath, ...]:
 
 
 def measure(
-    questions: Sequence[Question], path: PlannerPath, done: Callable[[int], None]
+    questions: Sequence[Question],
+    path: PlannerPath,
+    done: Callable[[int], None],
+    allowance: Allowance | None = None,
 ) -> dict[str, Any]:
-    """Times of one call a question, tasks ready and nothing remembered from call to call."""
+    """Times of one call a question, tasks ready and nothing remembered from call to call.
+
+    Where the allowance runs out, the questions asked by then are all there is.
+    """
     planners: dict[int, SearchPlanner] = {}
     times, lengths = [], []
     for number, question in enumerate(questions, start=1):
+        if allowance is not None and allowance.over():
+            break
         key = id(question.task)
         if key not in planners:
             planners[key] = make_planner(question.task, UNREMEMBERED, path)

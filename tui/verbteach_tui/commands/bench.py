@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import time
+from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Annotated, Any
@@ -9,16 +12,28 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from verbteach_tui.commands.parameters import JsonFlag
-from verbteach_tui.commands.streams import Progress, columns, counting, emit, progress, tell
+from verbteach_tui.commands.streams import columns, emit, note, progress, tell
+from verbteach_tui.conclusion import WrongUseError
 
 if TYPE_CHECKING:
-    from verbteach_tui.bench.questions import Question
+    from verbteach_tui.bench.workbench import Workbench
 
-QUESTIONS, PEERS_QUESTIONS = 200, 40
-TURNS, APP_TURNS, KEY_TURNS = 300, 1000, 500
+NAMES = ("startup", "plans", "turns", "keys", "rates", "replay", "memory", "peers")
+PEERS = "peers"
+SECONDS = 60.0
 
 
 def bench(
+    part: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME", help=f"Only this part, and others named: {', '.join(NAMES)}."),
+    ] = None,
+    seconds: Annotated[
+        float, typer.Option(min=1, help="The most that a part may take; it reports what it has.")
+    ] = SECONDS,
+    plain: Annotated[
+        bool, typer.Option("--plain", help="As without the extra fast: nothing is compiled.")
+    ] = False,
     peers: Annotated[
         bool, typer.Option("--peers", help="Ask the other planners that are installed, too.")
     ] = False,
@@ -29,126 +44,55 @@ def bench(
     as_json: JsonFlag = False,
 ) -> None:
     """Measure speed and memory of this installation, which takes a few minutes."""
+    chosen = _chosen(part or [], peers)
+    from verbteach_tui.bench.workbench import Workbench
+
     with progress() as show, TemporaryDirectory(prefix="verbteach-bench-") as folder:
-        report = measure(Path(folder), data, peers, show)
+        bench = Workbench(Path(folder), show, seconds, data, "plain" if plain else "auto")
+        report = measure(bench, chosen)
     if as_json:
         emit(report)
     else:
         _print(report)
 
 
-def measure(folder: Path, data: Path | None, peers: bool, show: Progress) -> dict[str, Any]:
-    """Everything, JSON-ready. Sessions made on the way stay in ``folder``."""
-    return {
-        "startup_ms": _startup(show),
-        **_planning(data, peers, show),
-        **_teaching(folder, show),
-        "key_to_paint_ms": _painting(folder, show),
-        "rss_mb": _memory(folder, show),
-    }
+def _chosen(parts: Sequence[str], peers: bool) -> list[str]:
+    """The parts in their order: those named, else all but the other planners."""
+    unknown = [name for name in parts if name not in NAMES]
+    if unknown:
+        raise WrongUseError(f"--part: there is no {unknown[0]!r}; there are: {', '.join(NAMES)}")
+    wanted = set(parts) or set(NAMES) - {PEERS}
+    return [name for name in NAMES if name in wanted or (peers and name == PEERS)]
 
 
-def _startup(show: Progress) -> dict[str, float | None]:
-    from verbteach_tui.bench.startup import first_paint_ms, version_ms
+def measure(bench: Workbench, chosen: Sequence[str]) -> dict[str, Any]:
+    """What the chosen parts found, JSON-ready, with how long each took and what else ran."""
+    from verbteach_tui.bench.parts import PARTS
 
-    show("starting", 0, 2)
-    version = version_ms()
-    show("starting", 1, 2)
-    painted = first_paint_ms()
-    show("starting", 2, 2)
-    return {"version": version, "first_paint": painted}
-
-
-def _planning(data: Path | None, peers: bool, show: Progress) -> dict[str, Any]:
-    from verbteach_tui.bench import planning
-
-    questions = _questions(data)
-    measured = {}
-    for path in planning.paths():
-        done = counting(show, f"planning, {path}", len(questions))
-        measured[path] = planning.measure(questions, path, done)
-    *others, best = measured.values()
-    return {
-        "plan_ms": {**best, "on": str(data) if data else "lessons", "other_paths": others},
-        "peers": _peers(questions, show) if peers else {},
-    }
+    report: dict[str, Any] = {}
+    spent: dict[str, float] = {}
+    load = [_load()]
+    for name in chosen:
+        start = time.perf_counter()
+        report |= PARTS[name](bench)
+        spent[name] = round(time.perf_counter() - start, 1)
+    load.append(_load())
+    return {**report, "peers": report.get("peers", {}), "seconds": spent, "load": load}
 
 
-def _questions(data: Path | None) -> list[Question]:
-    from verbteach_scenarios.lessons import load_lessons
-    from verbteach_scenarios.settings import make_settings
-    from verbteach_tui.bench.questions import of_corpus, of_lessons, spread
-
-    if data is not None:
-        return spread(list(of_corpus(data)), QUESTIONS)
-    return spread(list(of_lessons(load_lessons(), make_settings())), QUESTIONS)
-
-
-def _peers(questions: list[Question], show: Progress) -> dict[str, Any]:
-    from verbteach_tui.bench import peers, planning
-    from verbteach_tui.bench.questions import spread
-
-    some = spread(questions, PEERS_QUESTIONS)
-    own = planning.paths()[-1]
-    show("the same, verbteach", 0, len(some))
-    found = {"verbteach": planning.measure(some, own, lambda n: None)}
-    texts = [question.pddl() for question in some]
-    for name in peers.here():
-        done = counting(show, f"the same, {name}", len(texts))
-        found[name] = peers.measure(name, texts, done)
-    return found
-
-
-def _teaching(folder: Path, show: Progress) -> dict[str, Any]:
-    from verbteach_scenarios.lessons import load_lessons
-    from verbteach_scenarios.settings import make_settings
-    from verbteach_tui.bench import dialogue
-    from verbteach_tui.bench.clock import percentiles
-
-    lessons, settings = load_lessons(), make_settings()
-    total = dialogue.WARMED + TURNS
-    counted = counting(show, "teaching", total)
-    turns = dialogue.long_session(folder, lessons, settings, TURNS, counted)
-    show("repeating", 0, 3)
-    dialogues = dialogue.dialogues_per_second(settings, lessons[0].scene)
-    show("repeating", 1, 3)
-    episodes = dialogue.planned_episodes_per_second(lessons, settings)
-    show("repeating", 2, 3)
-    replayed = dialogue.replayed_per_second(turns.path, settings)
-    show("repeating", 3, 3)
-    return {
-        "turn_ms": percentiles(turns.plain),
-        "planned_turn_ms": percentiles(turns.planned),
-        "dialogues_per_s": dialogues,
-        "planned_episodes_per_s": episodes,
-        "replay_events_per_s": replayed,
-    }
-
-
-def _painting(folder: Path, show: Progress) -> dict[str, Any]:
-    from verbteach_tui.bench.clock import percentiles
-    from verbteach_tui.bench.painting import key_to_paint
-
-    show("keys to the screen", 0, 1)
-    found = key_to_paint(folder, KEY_TURNS)
-    show("keys to the screen", 1, 1)
-    return {kind: percentiles(times) for kind, times in found.items()}
-
-
-def _memory(folder: Path, show: Progress) -> float | None:
-    from verbteach_tui.bench.memory import app_rss_mb
-
-    show("memory of the app", 0, 1)
-    held = app_rss_mb(folder, APP_TURNS)
-    show("memory of the app", 1, 1)
-    return held
+def _load() -> float | None:
+    """How many processes want to run, over the last minute; ``None`` where that is not told."""
+    return os.getloadavg()[0] if hasattr(os, "getloadavg") else None
 
 
 def _print(report: dict[str, Any]) -> None:
-    rows = [(name, _figure(value)) for name, value in report.items() if name != "peers"]
-    tell(columns(rows))
+    apart = ("peers", "load")
+    tell(columns([(name, _figure(value)) for name, value in report.items() if name not in apart]))
     for name, peer in report["peers"].items():
         tell(f"{name:12}  {_figure(peer)}")
+    busy = report["load"][0]
+    if busy is not None and busy > (os.cpu_count() or 1) / 2:
+        note(f"Other programs kept this machine busy (load {busy:.1f}): it can do better.")
 
 
 def _figure(value: object) -> str:

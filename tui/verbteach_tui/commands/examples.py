@@ -137,6 +137,7 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
     ),
     "verbteach bench": (
         "verbteach bench",
+        "verbteach bench --part turns --part keys --plain",
         "verbteach bench --peers --data tell-me-dave --json",
     ),
     "verbteach doctor": (
