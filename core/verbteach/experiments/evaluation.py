@@ -10,14 +10,15 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol, TypeAlias, TypeVar
+from functools import cached_property
+from typing import Any, Protocol, TypeVar
 
 from verbteach.collecting import without_collecting
 from verbteach.experiments.figures import Figure, Observation, constant, figure
 from verbteach.experiments.folds import Fold, is_development
 from verbteach.experiments.jobs import (
     Development,
-    Lesson,
+    Lessons,
     Setup,
     Site,
     Trial,
@@ -26,6 +27,7 @@ from verbteach.experiments.jobs import (
     test_all,
 )
 from verbteach.experiments.judging import Judge
+from verbteach.experiments.parcels import Parcel
 from verbteach.experiments.she16 import CRITERIA, ORACLE, REGRESSION
 from verbteach.experiments.sight import Sight, stream
 from verbteach.experiments.workroom import PlannerMaker, furnished
@@ -60,15 +62,16 @@ class Grounds:
         found = {i.id: i for fold in self.folds for i in (*fold.train, *fold.test)}
         return tuple(found[name] for name in sorted(found))
 
+    @cached_property
+    def parcels(self) -> dict[str, Parcel[Task]]:
+        """The tasks as they travel with jobs."""
+        return {key: Parcel(task) for key, task in self.tasks.items()}
+
     @property
     def train(self) -> tuple[Instance, ...]:
         """Every instance that some fold learns from, by id."""
         found = {i.id: i for fold in self.folds for i in fold.train}
         return tuple(found[name] for name in sorted(found))
-
-
-Lessons: TypeAlias = dict[str, Lesson]
-"""Lessons by instance."""
 
 
 def run_trials(grounds: Grounds, setup: Setup, run: int = 0, mapper: Mapper = map) -> list[Trial]:
@@ -92,11 +95,11 @@ def compare_criteria(
     """
     with without_collecting():
         sight = Sight.of(setup.noise, grounds.instances, setup.seed, run)
-        site = Site(setup, sight, grounds.tasks, grounds.planner)
-        lessons = _learned(grounds, site, mapper)
+        site = Site(setup, sight, grounds.parcels, grounds.planner)
+        lessons = Parcel(_learned(grounds, site, mapper))
         chosen = _criteria(grounds, site, lessons, criteria, mapper)
         jobs = [
-            (site.only(fold.test), fold.test, [lessons[i.id] for i in fold.train], own)
+            (site.only(fold.test), fold.test, (lessons, [i.id for i in fold.train]), own)
             for fold, own in zip(grounds.folds, chosen, strict=True)
         ]
         found = list(mapper(test_all, jobs))
@@ -112,7 +115,7 @@ def _learned(grounds: Grounds, site: Site, mapper: Mapper) -> Lessons:
 def _criteria(
     grounds: Grounds,
     site: Site,
-    lessons: Mapping[str, Lesson],
+    lessons: Parcel[Lessons],
     names: Sequence[str],
     mapper: Mapper,
 ) -> list[dict[str, Criterion | None]]:
@@ -131,16 +134,16 @@ def _criteria(
 
 
 def _developed(
-    grounds: Grounds, site: Site, lessons: Mapping[str, Lesson], mapper: Mapper
+    grounds: Grounds, site: Site, lessons: Parcel[Lessons], mapper: Mapper
 ) -> Development:
     """Votes on the development commands, by lessons from other environments than theirs."""
     share = site.setup.development
     jobs = []
     for environment, own in _by_environment(grounds.train).items():
         chosen = [i for i in own if is_development(i, share)]
-        others = [lessons[i.id] for i in grounds.train if i.environment != environment]
+        others = [i.id for i in grounds.train if i.environment != environment]
         if chosen:
-            jobs.append((site.only(chosen), chosen, others))
+            jobs.append((site.only(chosen), chosen, (lessons, others)))
     return {name: votes for found in mapper(develop_all, jobs) for name, votes in found.items()}
 
 

@@ -14,6 +14,7 @@ from typing import NamedTuple, TypeAlias
 from verbteach.collecting import without_collecting
 from verbteach.experiments.groundings import GROUNDERS, Grounder, shown
 from verbteach.experiments.judging import Judge, Score
+from verbteach.experiments.parcels import Parcel
 from verbteach.experiments.she16 import Variant
 from verbteach.experiments.sight import Sight
 from verbteach.experiments.workroom import PlannerMaker, Workroom, furnished
@@ -68,13 +69,13 @@ class Site:
 
     setup: Setup
     sight: Sight
-    tasks: Mapping[str, Task]
+    tasks: Mapping[str, Parcel[Task]]
     planner: PlannerMaker
 
     def room(self, instance: Instance) -> Workroom:
         """The instance's workroom, kept for later jobs of this process."""
         key = instance.task_key
-        return furnished(key, self.tasks[key], self.planner)
+        return furnished(key, self.tasks[key].value, self.planner)
 
     def only(self, instances: Sequence[Instance]) -> Site:
         """The same, with no more tasks and documents than these instances need."""
@@ -104,10 +105,14 @@ class Trial(NamedTuple):
 
 
 LearnJob: TypeAlias = tuple[Site, Sequence[Instance]]
-DevelopJob: TypeAlias = tuple[Site, Sequence[Instance], Sequence[Lesson]]
+Lessons: TypeAlias = Mapping[str, Lesson]
+"""Lessons by instance."""
+Taught: TypeAlias = tuple[Parcel[Lessons], Sequence[str]]
+"""All lessons of a run, and which of them a job learns from, in this order."""
+DevelopJob: TypeAlias = tuple[Site, Sequence[Instance], Taught]
 Criteria: TypeAlias = Mapping[str, Criterion | None]
 """Criteria to choose by, by name; None stands for the answer itself."""
-TestJob: TypeAlias = tuple[Site, Sequence[Instance], Sequence[Lesson], Criteria]
+TestJob: TypeAlias = tuple[Site, Sequence[Instance], Taught, Criteria]
 Development: TypeAlias = dict[str, list[Judged]]
 """Judged votes by development instance."""
 
@@ -121,18 +126,18 @@ def learn_all(job: LearnJob) -> list[Lesson]:
 
 def develop_all(job: DevelopJob) -> Development:
     """Judge what the lessons' votes for some instances' commands come to."""
-    site, instances, lessons = job
+    site, instances, taught = job
     with without_collecting():
-        knowledge, experience = _remembered(lessons)
+        knowledge, experience = _remembered(taught)
         return {i.id: _judged(site, i, knowledge, experience) for i in instances}
 
 
 def test_all(job: TestJob) -> dict[str, list[Trial]]:
     """Carry out some instances' commands, by each criterion: goals are gathered once for all."""
-    site, instances, lessons, criteria = job
+    site, instances, taught, criteria = job
     found: dict[str, list[Trial]] = {name: [] for name in criteria}
     with without_collecting():
-        knowledge, experience = _remembered(lessons)
+        knowledge, experience = _remembered(taught)
         for instance in instances:
             state, gathered = _gathered(site, instance, knowledge, experience)
             test = _Test(site, instance, state, gathered)
@@ -141,7 +146,9 @@ def test_all(job: TestJob) -> dict[str, list[Trial]]:
     return found
 
 
-def _remembered(lessons: Sequence[Lesson]) -> tuple[VerbKnowledge, tuple[Demonstration, ...]]:
+def _remembered(taught: Taught) -> tuple[VerbKnowledge, tuple[Demonstration, ...]]:
+    every, names = taught
+    lessons = [every.value[name] for name in names]
     spaces = [one.outcome for one in lessons if isinstance(one.outcome, HypothesisSpace)]
     return VerbKnowledge.merged(spaces), tuple(one.demonstration for one in lessons)
 

@@ -6,6 +6,7 @@ what happens to hold at the start, so the result serves every later state.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -86,8 +87,39 @@ class Grounder:
 
     def _join(self, parameters: Sequence[Parameter], fixed: Sequence[Condition]) -> _Join:
         names = [p.name for p in parameters]
-        instances = [self._instances[p.type] for p in parameters]
-        return _Join(self, names, instances, _due(names, fixed))
+        due = _due(names, fixed)
+        options = []
+        for place, parameter in enumerate(parameters, start=1):
+            own = [c for c in due[place] if _others(c, parameter.name) == ()]
+            tying = [c for c in due[place] if c not in own and self._ties(c, parameter.name)][:1]
+            due[place] = [c for c in due[place] if c not in own + tying]
+            options.append(self._options(parameter, own, tying))
+        return _Join(self, names, options, due)
+
+    def _options(
+        self, parameter: Parameter, own: Sequence[Condition], tying: Sequence[Condition]
+    ) -> _Options:
+        """Objects of the parameter's type that meet the conditions, by what one is tied to."""
+        name = parameter.name
+        fitting = [
+            thing
+            for thing in self._instances[parameter.type]
+            if all(self.holds(c, {name: thing}) for c in own)
+        ]
+        if not tying:
+            return _Options((), {(): fitting})
+        (tie,) = tying
+        at, by_rest = tie.args.index(name), defaultdict(set)
+        for fact in self.static:
+            if fact.predicate == tie.predicate:
+                by_rest[fact.args[:at] + fact.args[at + 1 :]].add(fact.args[at])
+        chosen = {rest: [o for o in fitting if o in found] for rest, found in by_rest.items()}
+        return _Options(tie.args[:at] + tie.args[at + 1 :], chosen)
+
+    def _ties(self, condition: Condition, name: str) -> bool:
+        """Whether it asks for a fact that names the variable just once."""
+        asked = condition.positive and condition.predicate != EQUALITY
+        return asked and condition.args.count(name) == 1
 
     @cached_property
     def _instances(self) -> Mapping[str, list[str]]:
@@ -97,13 +129,24 @@ class Grounder:
         return {name: [o for o, t in things if is_a(t, name)] for name in names}
 
 
+class _Options(NamedTuple):
+    """What a variable may stand for, by what the ``others`` that it is tied to stand for."""
+
+    others: tuple[str, ...]
+    things: Mapping[tuple[str, ...], list[str]]
+
+    def given(self, binding: Binding) -> Sequence[str]:
+        """The objects, sorted."""
+        return self.things.get(tuple([binding.get(arg, arg) for arg in self.others]), ())
+
+
 @dataclass(frozen=True)
 class _Join:
     """All ways to bind some variables: depth first, each condition checked as soon as it can be."""
 
     grounder: Grounder
     names: list[str]
-    instances: list[list[str]]
+    options: list[_Options]
     due: list[list[Condition]]
 
     def bindings(self, outer: Binding) -> Iterator[Binding]:
@@ -118,7 +161,7 @@ class _Join:
             yield binding
             return
         name = self.names[depth]
-        for candidate in self.instances[depth]:
+        for candidate in self.options[depth].given(binding):
             binding[name] = candidate
             yield from self._bind(depth + 1, binding)
 
@@ -130,6 +173,11 @@ def _due(names: Sequence[str], fixed: Iterable[Condition]) -> list[list[Conditio
     for condition in fixed:
         due[max((depth.get(arg, 0) for arg in condition.args), default=0)].append(condition)
     return due
+
+
+def _others(condition: Condition, name: str) -> tuple[str, ...]:
+    """The variables besides this one that the condition is about."""
+    return tuple(arg for arg in condition.args if arg != name and arg.startswith("?"))
 
 
 def _fluent(atom: Condition | Effect, binding: Mapping[str, str]) -> Fluent:
