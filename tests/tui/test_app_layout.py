@@ -188,3 +188,14 @@ async def test_without_colour_everything_is_still_told(
         assert len(fills) > 3
         # The first is the frame that the picture is put in, not the app's.
         assert all(r == g == b for r, g, b in fills[1:])
+
+
+async def test_the_empty_line_says_what_to_type_or_how_to_come_to_it(tmp_path: Path) -> None:
+    async with room(tmp_path) as here:
+        line = here.teach.query_one(CommandInput)
+        assert line.has_focus
+        assert line.placeholder.startswith("Say what the robot should do")
+        await here.key("tab")
+        assert line.placeholder == "Tab or / to type, as in: boil the water"
+        await here.key("tab")
+        assert line.placeholder.startswith("Say what the robot should do")

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from textual import events
 from textual.pilot import Pilot
+from textual.widgets import OptionList
 
 from tests.tui.room import NORMAL, OPEN_THE_FRIDGE, SETTINGS, learn_to_open, room
 from tests.tui.strategies import NASTY
@@ -26,6 +27,7 @@ from verbteach_tui.views.rows import plain
 from verbteach_tui.views.visible import visible
 from verbteach_tui.widgets.command_input import CommandInput
 from verbteach_tui.widgets.dialogue_view import DialogueView
+from verbteach_tui.widgets.steps_view import StepsView
 
 MANY_KEYS = int(os.environ.get("VERBTEACH_RANDOM_KEYS", "1500"))
 """How many random keys the slow test presses; 10,000 take a quarter of an hour."""
@@ -98,6 +100,33 @@ async def test_a_word_typed_where_keys_answer_is_one_answer_at_most(tmp_path: Pa
         await here.settle()
         said = [line for line in here.teach.snapshot.lines[before:] if line.speaker == "teacher"]
         assert [line.text for line in said] == ["bad"]
+
+
+@pytest.mark.parametrize("first", ["t", "open the fridge", "no"])
+async def test_enter_after_what_was_typed_where_keys_answer_takes_no_step(
+    tmp_path: Path, first: str
+) -> None:
+    async with room(tmp_path, patient=True, size=NORMAL) as here:
+        await here.line("open the fridge")
+        assert here.phase == "demonstration"
+        here.teach.guard = KeyGuard()
+        lists = here.teach.query_one("#actions", OptionList)
+        await here.pilot.press(*(" " if c == " " else c for c in first), "enter", "enter")
+        await here.settle()
+        assert here.teach.snapshot.shown == ()
+        assert lists.has_focus, "nothing was chosen"
+
+
+async def test_a_word_typed_among_the_steps_edits_none(tmp_path: Path) -> None:
+    async with room(tmp_path, patient=True) as here:
+        await here.lines("open the fridge", *OPEN_THE_FRIDGE)
+        shown = here.teach.snapshot.shown
+        await here.key("f9")
+        here.teach.guard = KeyGuard()
+        await here.pilot.press("up", *"pixel")
+        await here.settle()
+        assert here.teach.snapshot.shown == shown
+        assert not here.teach.query_one(StepsView).running
 
 
 async def test_a_failing_robot_becomes_a_dialog_and_the_session_goes_on(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import shutil
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -56,22 +58,64 @@ def test_figures_have_their_mean_spread_interval_and_runs(folder: Path) -> None:
     assert document["noise"] == "std3"
 
 
-@pytest.mark.slow  # 27 cells and their tables
-def test_the_grid_is_kept_and_goes_on_where_it_was(folder: Path, tmp_path: Path) -> None:
-    words = ("--data", folder, "--noise", "perfect", "--grid", "--out", tmp_path)
-    first = scored(*words)
-    cells = sorted((tmp_path / "cells").iterdir())
-    assert first["cells"] == len(cells) == 3 * 9
-    tables = {name: Path(first[name]).read_text("utf-8") for name in ("csv", "markdown", "errors")}
-    assert tables["csv"].count("\n") == 1 + 5 * len(cells)
+@pytest.fixture(scope="module")
+def filled(folder: Path, tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, Any]:
+    """The part of the grid with perfect eyes and gold objects."""
+    return scored(*part_of(folder), "--out", tmp_path_factory.mktemp("grid"))
+
+
+def part_of(folder: Path) -> tuple[object, ...]:
+    return ("--grid", "--data", folder, "--noise", "perfect", "--grounding", "oracle")
+
+
+def cells_of(written: Mapping[str, Any]) -> list[Path]:
+    return sorted((Path(written["csv"]).parent / "cells").iterdir())
+
+
+def test_a_part_of_the_grid_is_chosen_and_kept(
+    folder: Path, filled: Mapping[str, Any], tmp_path: Path
+) -> None:
+    out = tmp_path / "copy"
+    shutil.copytree(Path(filled["csv"]).parent, out)
+    cells = sorted((out / "cells").iterdir())
+    assert filled["cells"] == len(cells) == 9
+    assert all(cell.name.startswith("perfect-literal-oracle-") for cell in cells)
+    table = Path(filled["csv"]).read_text("utf-8")
+    assert table.count("\n") == 1 + 5 * len(cells)
     cells[0].unlink()
     written = {cell: cell.stat().st_mtime_ns for cell in cells[1:]}
-    assert scored(*words) == first
+    again = scored(*part_of(folder), "--out", out)
     assert {cell: cell.stat().st_mtime_ns for cell in cells[1:]} == written
-    assert tables["csv"] == Path(first["csv"]).read_text("utf-8")
+    assert Path(again["csv"]).read_text("utf-8") == table
     cells[0].write_text("{}", "utf-8")
-    assert_refused(here("evaluate", *words), str(cells[0]), "delete it")
+    assert_refused(here("evaluate", *part_of(folder), "--out", out), str(cells[0]), "delete it")
+
+
+def test_cells_of_another_program_are_not_mixed_in(
+    folder: Path, filled: Mapping[str, Any], tmp_path: Path
+) -> None:
+    out = tmp_path / "copy"
+    shutil.copytree(Path(filled["csv"]).parent, out)
+    first, second, *_ = sorted((out / "cells").iterdir())
+    was = json.loads(first.read_text("utf-8"))
+    second.unlink()
+    first.write_text(json.dumps({**was, "about": {**was["about"], "program": "older"}}), "utf-8")
+    only = scored(*part_of(folder), "--out", out, "--tables-only")
+    assert (only["cells"], only["missing"]) == (8, 1)
+    page = Path(only["markdown"]).read_text("utf-8")
+    assert f"| older | {was['about']['data']} | 1 |" in page
+    assert "- perfect, oracle grounding: 1 learners" in page
+    ran = here("evaluate", *part_of(folder), "--out", out, "--jobs", 1)
+    assert "1 cells" in ran.err
+    assert json.loads(first.read_text("utf-8")) == was
+    assert "older" not in Path(only["markdown"]).read_text("utf-8")
+
+
+def test_a_grid_needs_somewhere_to_go(folder: Path, tmp_path: Path) -> None:
     assert_refused(here("evaluate", "--grid", "--data", folder), "--out")
+    assert_refused(here("evaluate", "--tables-only", "--data", folder), "--grid")
+    empty = here("evaluate", *part_of(folder), "--out", tmp_path, "--tables-only")
+    assert_refused(empty, "no cell")
 
 
 def test_processes_change_no_figure(folder: Path) -> None:

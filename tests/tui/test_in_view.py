@@ -5,10 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from tests.tui.room import NORMAL, SETTINGS, WIDE, Room, room
+import pytest
+
+from tests.tui.room import NARROW, NORMAL, SETTINGS, WIDE, Room, room
 from verbteach_sessions.eventlog import LogReader
 from verbteach_sessions.validate import validate
 from verbteach_tui.screens.verbs import VerbsScreen
+from verbteach_tui.views.rows import plain
+from verbteach_tui.widgets.latest_words import LatestWords
 
 ALWAYS = ["dialogue", "mind", "scene"]
 
@@ -42,3 +46,30 @@ async def test_where_panels_are_tabs_only_those_looked_at_count(tmp_path: Path) 
         await here.line("wash the mug")
         await here.key("f4", "f2", "?")
         assert seen(here) == [["dialogue"], ["dialogue", "mind"]]
+
+
+@pytest.mark.parametrize("size", [NARROW, NORMAL])
+async def test_what_the_robot_says_is_to_be_read_on_every_tab(
+    tmp_path: Path, size: tuple[int, int]
+) -> None:
+    async with room(tmp_path, size=size) as here:
+        assert words_below(here) == ""
+        await here.line("open the fridge")
+        assert here.phase == "demonstration"
+        assert words_below(here).endswith("could you show me an example?")
+        await here.key("f4")
+        assert words_below(here).endswith("could you show me an example?")
+        await here.key("f2")
+        assert words_below(here) == "", "the dialogue is in view itself"
+
+
+async def test_where_all_panels_are_in_view_nothing_is_said_twice(tmp_path: Path) -> None:
+    async with room(tmp_path, size=WIDE) as here:
+        await here.line("open the fridge")
+        assert words_below(here) == ""
+
+
+def words_below(here: Room) -> str:
+    """What stands below the panels of what the robot said last."""
+    latest = here.teach.query_one(LatestWords)
+    return " ".join(plain(row).strip() for row in latest.rows) if latest.size.height else ""

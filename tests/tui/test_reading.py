@@ -132,3 +132,23 @@ def test_a_key_held_down_answers_once() -> None:
 def test_answers_given_one_after_the_other_all_count() -> None:
     guard = KeyGuard()
     assert all(not guard.typing("y", t) and guard.answers(t) for t in (1.0, 1.7, 2.4, 3.1))
+
+
+def test_enter_belongs_to_the_word_or_the_answer_before_it() -> None:
+    guard = KeyGuard()
+    assert not guard.ends(1.0)
+    assert guard.answers(1.0)
+    assert guard.ends(1.3)
+    assert not guard.ends(1.7)
+    guard.typing("o", 2.0)
+    guard.typing("k", 2.5)
+    assert guard.ends(3.0)
+    assert not guard.ends(3.2)
+
+
+def test_a_key_that_repeats_does_so_but_not_within_a_word() -> None:
+    guard = KeyGuard()
+    assert [guard.typing("x", t / 10, repeats=True) for t in range(4)] == [False] * 4
+    assert [guard.typing(c, 9.0, repeats=c in "lei") for c in "lie"] == [False, True, True]
+    assert guard.typing("e", 9.2, repeats=True), "the word goes on"
+    assert not guard.typing("e", 10.0, repeats=True)

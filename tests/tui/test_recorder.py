@@ -146,7 +146,7 @@ async def test_why_an_action_cannot_be_done_is_said_before_it_is_tried(tmp_path:
         await here.key("enter")
         told = here.teach.query_one("#so-chosen", RowsView)
         words = " ".join(plain(row) for row in told.rows).split()
-        assert "not now: the robot is not near the bottom cupboard" in " ".join(words)
+        assert "not possible yet: the robot is not near the bottom cupboard" in " ".join(words)
 
 
 async def test_fifty_one_steps_can_be_shown_and_seen(tmp_path: Path) -> None:

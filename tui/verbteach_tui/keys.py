@@ -39,7 +39,7 @@ ANSWERS: Mapping[Phase, tuple[Key, ...]] = {
         SHOW,
         Key("s", "skip", "no verdict"),
     ),
-    Phase.DEMONSTRATION: (Key("d", "done", "done"), Key("s", "skip", "not now")),
+    Phase.DEMONSTRATION: (Key("d", "done", "done"), Key("s", "skip", "don't show it")),
     Phase.READ_BACK: (
         Key("y", "good", "right"),
         Key("n", "bad", "wrong"),

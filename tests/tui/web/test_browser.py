@@ -48,7 +48,7 @@ async def teach_to_open(page: Page, log: Path) -> None:
     command, *steps, done, right = SHOW
     await page.type(command)
     await answered(log, before + 1)
-    await page.shows("not now")
+    await page.shows("don't show it")
     await page.press("/")
     for number, step in enumerate(steps, start=2):
         await page.shows("type and press Enter" if number == 2 else "So far")
@@ -129,7 +129,7 @@ async def test_visitors_are_kept_apart_and_tokens_let_one_browser_in(tmp_path: P
             await one.reload()
             await one.ready()
             await happens(lambda: b'"type":"resume"' in first.read_bytes())
-            await one.shows("not now")
+            await one.shows("don't show it")
             await one.press("/")
             await one.shows("type and press Enter")
             await one.type("go to the fridge")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
 
 import typer
 
+from verbteach_tui.commands.evaluate_grid import Part
 from verbteach_tui.commands.evaluate_mistakes import mistakes_document, print_mistakes
 from verbteach_tui.commands.evaluate_policy import (
     LEARNED,
@@ -65,9 +66,12 @@ def evaluate(
     noise: NoiseOption = None,
     noise_reading: NoiseReading = None,
     grounding: Annotated[
-        Literal["corpus", "oracle", "own"],
-        typer.Option(help="Where a command's noun phrases get their objects from."),
-    ] = "corpus",
+        Literal["corpus", "oracle", "own"] | None,
+        typer.Option(
+            help="Where a command's noun phrases get their objects from: corpus unless said.",
+            show_default=False,
+        ),
+    ] = None,
     data: Annotated[
         Path | None,
         typer.Option(metavar="DIR", help="A Tell Me Dave folder; else the bundled lessons."),
@@ -85,7 +89,17 @@ def evaluate(
     grid: Annotated[
         bool,
         typer.Option(
-            "--grid", help="Every learner from demonstrations, criterion and condition, into --out."
+            "--grid",
+            help="Every learner from demonstrations, criterion and condition, into --out;"
+            " --noise, --noise-reading and --grounding choose a part."
+            " Nothing is computed twice by the same program on the same data.",
+        ),
+    ] = False,
+    tables_only: Annotated[
+        bool,
+        typer.Option(
+            "--tables-only",
+            help="Of the grid only the tables, of whatever is there and wherever it comes from.",
         ),
     ] = False,
     mistakes: Annotated[
@@ -98,7 +112,7 @@ def evaluate(
         Path | None,
         typer.Option(
             metavar="DIR",
-            help="Where the grid goes, of which nothing is done twice, or the mistakes.",
+            help="Where the grid goes, or the mistakes.",
         ),
     ] = None,
     as_json: JsonFlag = False,
@@ -112,9 +126,13 @@ def evaluate(
 
     if test_data is not None and data is None:
         raise WrongUseError("--test-data needs --data: what to learn from")
-    if grid or (out is not None and not mistakes):
-        _grid(grid, data, out, noise, noise_reading, seed or 0, jobs, as_json)
+    if grid or tables_only or (out is not None and not mistakes):
+        if not grid or data is None or out is None:
+            raise WrongUseError(_GRID_NEEDS)
+        part = Part(noise, noise_reading, grounding, seed or 0)
+        _grid(data, out, part, tables_only, jobs, as_json)
         return
+    grounding = grounding or "corpus"
     asked = Question(
         policy, noise or "perfect", noise_reading or "literal", grounding, runs, seed or 0, weights
     )
@@ -151,25 +169,16 @@ def evaluate(
         _print(document)
 
 
-def _grid(
-    wanted: bool,
-    data: Path | None,
-    out: Path | None,
-    noise: str | None,
-    reading: str | None,
-    seed: int,
-    jobs: int,
-    as_json: bool,
-) -> None:
-    from verbteach.perception.noise import LEVELS, READINGS
+_GRID_NEEDS = (
+    "--grid needs --data and --out; --out needs --grid or --mistakes, --tables-only --grid"
+)
+
+
+def _grid(data: Path, out: Path, part: Part, tables_only: bool, jobs: int, as_json: bool) -> None:
     from verbteach_tui.commands.evaluate_grid import grid
 
-    if not wanted or data is None or out is None:
-        raise WrongUseError("--grid needs --data and --out, and --out needs --grid or --mistakes")
-    levels = (noise,) if noise else tuple(LEVELS)
-    readings = (reading,) if reading else READINGS
     with progress() as show:
-        written = grid(data, out, levels, readings, seed, _Spread(jobs, show))
+        written = grid(data, out, part, _Spread(jobs, show), tables_only=tables_only)
     if as_json:
         emit(written)
     else:

@@ -4,50 +4,136 @@ from __future__ import annotations
 
 import csv
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from verbteach_tui.commands.streams import note
 from verbteach_tui.conclusion import WrongUseError
 
 if TYPE_CHECKING:
-    from verbteach.experiments.evaluation import Grounds, Mapper
-    from verbteach.experiments.grid import Cell, Filled
+    from verbteach.experiments.evaluation import Mapper
+    from verbteach.experiments.grid import Cell, Filled, Ground
+    from verbteach_scenarios.grounds import CorpusFolder
+
+
+@dataclass(frozen=True)
+class Part:
+    """Which part of the grid: one of each, or all."""
+
+    noise: str | None = None
+    reading: str | None = None
+    grounding: str | None = None
+    seed: int = 0
+
+    def cells(self) -> tuple[Cell, ...]:
+        """Its cells."""
+        from verbteach.experiments.grid import GROUNDINGS, cells
+        from verbteach.perception.noise import LEVELS, READINGS
+
+        return cells(
+            groundings=(self.grounding,) if self.grounding else GROUNDINGS,
+            levels=(self.noise,) if self.noise else LEVELS,
+            readings=(self.reading,) if self.reading else READINGS,
+            seed=self.seed,
+        )
 
 
 def grid(
-    data: Path, out: Path, levels: Sequence[str], readings: Sequence[str], seed: int, mapper: Mapper
+    data: Path, out: Path, part: Part, mapper: Mapper, *, tables_only: bool = False
 ) -> dict[str, Any]:
-    """Compute what is missing in ``out``, write the tables, and say where they are."""
-    from verbteach.experiments.grid import LEARNERS, cells, fill_all
+    """Compute what is missing in ``out``, write the tables, and say where they are.
+
+    What comes from another program or other data is computed again; with
+    ``tables_only`` nothing is computed and all that is there is taken, and
+    the tables say where it comes from.
+    """
     from verbteach_scenarios.grounds import CorpusFolder
 
-    wanted = cells(tuple(LEARNERS), levels=levels, readings=readings, seed=seed)
-    folder = out / "cells"
-    folder.mkdir(parents=True, exist_ok=True)
-    known = {cell: found for cell in wanted if (found := _kept(folder, cell)) is not None}
-    load = CorpusFolder(data)
-    done = []
-    for filled in fill_all(wanted, load, known, mapper):
-        if filled.cell not in known:
-            _keep(folder, filled)
-        done.append(filled)
-    grounds, _ = load()
-    return {**_written(out, done, grounds), "errors": str(_errors(out, grounds, seed, mapper))}
+    return _Grid(CorpusFolder(data), out, part, mapper).written(tables_only)
 
 
-def _errors(out: Path, grounds: Grounds, seed: int, mapper: Mapper) -> Path:
-    """What goes wrong for the strongest learner where it sees perfectly, by kind."""
-    from verbteach.experiments.grid import STRONGEST
-    from verbteach.experiments.jobs import Setup
-    from verbteach.experiments.mishaps import analyse, markdown
-    from verbteach.experiments.she16 import VARIANTS
+@dataclass(frozen=True)
+class _Grid:
+    load: CorpusFolder
+    out: Path
+    part: Part
+    mapper: Mapper
 
-    path = out / "errors.md"
-    if not path.exists():
-        analysis = analyse(grounds, Setup(VARIANTS[STRONGEST], seed=seed), mapper)
-        path.write_text(markdown(analysis), "utf-8")
-    return path
+    @cached_property
+    def _ground(self) -> Ground:
+        return self.load()
+
+    @cached_property
+    def _about(self) -> dict[str, str]:
+        """What cells hang on besides what they are about."""
+        from verbteach.experiments.reproduction.laboratory import fingerprint
+        from verbteach_scenarios.programs import program
+
+        made_by = program("verbteach.experiments.grid", "verbteach_scenarios.grounds")
+        return {"program": made_by, "data": fingerprint(self._ground[0].instances)}
+
+    def written(self, tables_only: bool) -> dict[str, Any]:
+        wanted = self.part.cells()
+        folder = self.out / "cells"
+        folder.mkdir(parents=True, exist_ok=True)
+        kept = {cell: found for cell in wanted if (found := _kept(folder, cell)) is not None}
+        done = [*kept.values()] if tables_only else self._filled(wanted, kept, folder)
+        missing = [cell for cell in wanted if cell not in kept] if tables_only else []
+        if not done:
+            raise WrongUseError(f"{folder}: no cell of this part is there; leave --tables-only out")
+        written = {"cells": len(done), "missing": len(missing), **self._tables(done, missing)}
+        errors = self.out / "errors.md"
+        if not tables_only:
+            self._write_errors(errors)
+        return {**written, "errors": str(errors) if errors.exists() else None}
+
+    def _filled(
+        self, wanted: Sequence[Cell], kept: Mapping[Cell, Filled], folder: Path
+    ) -> list[Filled]:
+        from verbteach.experiments.grid import fill_all
+
+        known = {cell: one for cell, one in kept.items() if one.about == self._about}
+        if other := len(kept) - len(known):
+            note(f"{other} cells in {folder} are another program's or of other data: again")
+        done = []
+        for filled in fill_all(wanted, self.load, known, self.mapper):
+            named = replace(filled, about=self._about)
+            if filled.cell not in known:
+                _keep(folder, named)
+            done.append(named)
+        return done
+
+    def _write_errors(self, path: Path) -> None:
+        """What goes wrong for the strongest learner where it sees perfectly, by kind."""
+        from verbteach.experiments.grid import STRONGEST
+        from verbteach.experiments.jobs import Setup
+        from verbteach.experiments.mishaps import analyse, markdown
+        from verbteach.experiments.she16 import VARIANTS
+
+        origin = "\nProgram {program}, data {data}, seed {seed}.\n".format(
+            **self._about, seed=self.part.seed
+        )
+        if not path.exists() or not path.read_text("utf-8").endswith(origin):
+            setup = Setup(VARIANTS[STRONGEST], seed=self.part.seed)
+            path.write_text(
+                markdown(analyse(self._ground[0], setup, self.mapper)) + origin, "utf-8"
+            )
+
+    def _tables(self, done: Sequence[Filled], missing: Sequence[Cell]) -> dict[str, Any]:
+        from verbteach.experiments.evaluation import ceiling_trials
+        from verbteach.experiments.grid_tables import HEADER, markdown, rows
+        from verbteach.experiments.judging import Score
+
+        scores = [trial.score for trial in ceiling_trials(self._ground[0])]
+        goal = Score(*(sum(values) / len(scores) for values in zip(*scores, strict=True)))
+        tables = {"csv": self.out / "grid.csv", "markdown": self.out / "grid.md"}
+        with tables["csv"].open("w", encoding="utf-8", newline="") as file:
+            csv.writer(file, lineterminator="\n").writerows([HEADER, *rows(done)])
+        tables["markdown"].write_text(markdown(done, goal, missing), "utf-8")
+        return {name: str(path) for name, path in tables.items()}
 
 
 def _kept(folder: Path, cell: Cell) -> Filled | None:
@@ -71,17 +157,3 @@ def _keep(folder: Path, filled: Filled) -> None:
     fresh = path.with_suffix(".part")
     fresh.write_text(json.dumps(filled.to_json()), "utf-8")
     fresh.replace(path)
-
-
-def _written(out: Path, done: Sequence[Filled], grounds: Grounds) -> dict[str, Any]:
-    from verbteach.experiments.evaluation import ceiling_trials
-    from verbteach.experiments.grid_tables import HEADER, markdown, rows
-    from verbteach.experiments.judging import Score
-
-    scores = [trial.score for trial in ceiling_trials(grounds)]
-    goal = Score(*(sum(values) / len(scores) for values in zip(*scores, strict=True)))
-    tables = {"csv": out / "grid.csv", "markdown": out / "grid.md"}
-    with tables["csv"].open("w", encoding="utf-8", newline="") as file:
-        csv.writer(file, lineterminator="\n").writerows([HEADER, *rows(done)])
-    tables["markdown"].write_text(markdown(done, goal), "utf-8")
-    return {"cells": len(done), **{name: str(path) for name, path in tables.items()}}

@@ -35,15 +35,19 @@ class AnsweringScreen(SpeakingScreen):
 
     def on_key(self, event: events.Key) -> None:
         """A single key answers, unless it is part of a word being typed."""
-        character = event.character
-        if self.typing or character is None or not event.is_printable:
+        if self.typing:
             return
-        if character in getattr(self.focused, "OWN_KEYS", ""):
+        if event.key == "enter" and self.guard.ends(event.time):
+            self._typed_elsewhere(event)
+            return
+        character = event.character
+        if character is None or not event.is_printable:
+            return
+        own = character in getattr(self.focused, "OWN_KEYS", "")
+        if self.guard.typing(character, event.time, repeats=own):
+            self._typed_elsewhere(event)
+        elif own:
             return  # the widget in focus has that key for itself
-        if self.guard.typing(character, event.time):
-            _consume(event)
-            if self.guard.swallowed == 2:
-                self.notify(_TYPING, timeout=3)
         elif self._answers(character):
             _consume(event)
             if self.guard.answers(event.time):
@@ -53,6 +57,12 @@ class AnsweringScreen(SpeakingScreen):
             line = self.query_one(CommandInput)
             line.focus()
             line.insert_text_at_cursor(character)
+
+    def _typed_elsewhere(self, event: events.Key) -> None:
+        """Swallow a key that belongs to a word, and say once a word where words go."""
+        _consume(event)
+        if event.key == "enter" or self.guard.swallowed == 2:
+            self.notify(_TYPING, timeout=3)
 
     def _answers(self, character: str) -> bool:
         snapshot = self.snapshot

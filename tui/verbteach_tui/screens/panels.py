@@ -13,6 +13,7 @@ from textual.containers import Container
 from verbteach_tui.screens.room import RoomScreen
 from verbteach_tui.snapshot import Moment, Snapshot
 from verbteach_tui.widgets.dialogue_view import DialogueView
+from verbteach_tui.widgets.latest_words import LatestWords
 from verbteach_tui.widgets.mind_view import MindView
 from verbteach_tui.widgets.scene_view import SceneView
 from verbteach_tui.widgets.stage import Stage
@@ -59,7 +60,7 @@ class PanelScreen(RoomScreen):
         """What is shown."""
 
     def panels(self) -> ComposeResult:
-        """A title, the tabs and the panels."""
+        """A title, the tabs, the panels, and what was said last where no dialogue is in view."""
         yield TitleBar(id="title")
         yield TabStrip(id="tabs")
         with Container(id="panels"):
@@ -67,10 +68,12 @@ class PanelScreen(RoomScreen):
             yield SceneView(id="scene")
             yield Stage(id="stage")
             yield MindView(id="mind")
+        yield LatestWords(id="latest")
 
     def show_panels(self, snapshot: Snapshot, played: bool, speed: float) -> bool:
         """Show ``snapshot``; whether something goes on that has a panel of its own."""
         self.query_one(DialogueView).show_lines(snapshot.lines)
+        self.query_one(LatestWords).show_lines(snapshot.lines)
         self.query_one(MindView).show_mind(snapshot.mind)
         self.query_one(TitleBar).show_title(snapshot.scene, snapshot.figures.texts)
         on_stage = self.query_one(Stage).show_snapshot(snapshot, played, speed)

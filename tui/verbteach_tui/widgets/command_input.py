@@ -49,12 +49,9 @@ class CommandInput(Input):
         away = f"Tab or / to type, as in: {self._example}"
         self.placeholder = self._wanted if self.has_focus else away
 
-    def on_focus(self) -> None:
-        """Say what to type."""
-        self._say_what_is_wanted()
-
-    def on_blur(self) -> None:
-        """Say how to come back."""
+    def watch_has_focus(self, has_focus: bool) -> None:
+        """Say what to type, or how to come back."""
+        super().watch_has_focus(has_focus)
         self._say_what_is_wanted()
 
     def on_key(self, event: events.Key) -> None:

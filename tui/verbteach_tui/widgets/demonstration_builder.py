@@ -24,7 +24,7 @@ from verbteach_tui.views.steps import Choice, StepMenu
 from verbteach_tui.widgets.rows_view import RowsView
 from verbteach_tui.widgets.steps_view import StepsView
 
-_NOT_NOW = "not now"
+_NOT_YET = "not possible yet"
 
 
 class DemonstrationBuilder(Vertical):
@@ -219,7 +219,9 @@ class DemonstrationBuilder(Vertical):
 
 def _told(prompt: str, why: str, width: int) -> list[Row]:
     rows = [clipped([Span(prompt, "accent")], width)]
-    return rows + (wrapped([Span(f"not now: {why}")], width, 2, [Span("✗ ", "bad")]) if why else [])
+    return rows + (
+        wrapped([Span(f"{_NOT_YET}: {why}")], width, 2, [Span("✗ ", "bad")]) if why else []
+    )
 
 
 def _fill(options: OptionList, choices: Sequence[Choice]) -> None:
@@ -228,8 +230,8 @@ def _fill(options: OptionList, choices: Sequence[Choice]) -> None:
     wanted = highlighted.id if highlighted else None
     rows: list[Option | None] = []
     for choice in choices:
-        if not choice.possible and not any(o and o.prompt == _NOT_NOW for o in rows):
-            rows.append(Option(_NOT_NOW, disabled=True))
+        if not choice.possible and not any(o and o.prompt == _NOT_YET for o in rows):
+            rows.append(Option(_NOT_YET, disabled=True))
         glyph = "" if choice.possible else "· "
         rows.append(Option(Content(glyph + choice.label), id=choice.id))
     options.set_options(rows)

@@ -1,0 +1,38 @@
+"""What the robot said last, below the panels, where the dialogue itself is not in view."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from verbteach_tui.views.dialogue import SPEAKERS, DialogueLine
+from verbteach_tui.views.rows import Row, Span, clipped, wrapped
+from verbteach_tui.views.visible import shortened
+from verbteach_tui.widgets.rows_view import RowsView
+
+MOST = 2
+"""Rows it takes at most; the dialogue has all of it."""
+
+
+class LatestWords(RowsView, can_focus=False):
+    """A row or two."""
+
+    DEFAULT_CSS = """
+    LatestWords { height: 1; overflow-y: hidden; scrollbar-gutter: auto; }
+    """
+
+    def show_lines(self, lines: Sequence[DialogueLine]) -> None:
+        """Show the last of ``lines`` that the robot said."""
+        said = next((line.text for line in reversed(lines) if line.speaker == "robot"), "")
+        self.show_once(said, lambda width: _rows(said, width))
+
+    def redrawn(self) -> None:
+        """Take as many rows as the words need at this width."""
+        self.styles.height = max(len(self.rows), 1)
+
+
+def _rows(said: str, width: int) -> list[Row]:
+    speaker = f"{SPEAKERS['robot']}  "
+    rows = wrapped([Span(shortened(said))], width, len(speaker), [Span(speaker, "robot")])
+    if len(rows) <= MOST:
+        return rows
+    return [*rows[: MOST - 1], clipped([*rows[MOST - 1], Span(" …", "muted")], width)]
