@@ -8,7 +8,7 @@ any order, in any process, and kept between runs.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, field, replace
 from functools import cache
 from itertools import product
 from typing import Any, NamedTuple, TypeAlias
@@ -65,18 +65,23 @@ class Scored(NamedTuple):
 
 @dataclass(frozen=True)
 class Filled:
-    """A computed cell: the test commands, and by criterion how each went, in the same order."""
+    """A computed cell: the test commands, and by criterion how each went, in the same order.
+
+    ``about`` is what else it hangs on: the ``program`` and the ``data``, each a short hash.
+    """
 
     cell: Cell
     instances: tuple[str, ...]
     groups: tuple[str, ...]
     environments: tuple[str, ...]
     scores: Mapping[str, tuple[Scored, ...]]
+    about: Mapping[str, str] = field(default_factory=dict)
 
     def to_json(self) -> dict[str, Any]:
         """Plain JSON."""
         return {
             "cell": asdict(self.cell),
+            "about": dict(self.about),
             "instances": list(self.instances),
             "groups": list(self.groups),
             "environments": list(self.environments),
@@ -93,6 +98,7 @@ class Filled:
                 tuple(data["groups"]),
                 tuple(data["environments"]),
                 {name: tuple(Scored(*r) for r in rows) for name, rows in data["scores"].items()},
+                dict(data.get("about", {})),
             )
         except (KeyError, TypeError) as error:
             raise ValueError(f"not a cell of the grid: {error!r}") from error
@@ -105,7 +111,7 @@ Load: TypeAlias = Callable[[], Ground]
 
 
 def cells(
-    learners: Sequence[str] = tuple(LEARNERS),
+    learners: Iterable[str] = tuple(LEARNERS),
     groundings: Iterable[str] = GROUNDINGS,
     levels: Iterable[str] = LEVELS,
     readings: Iterable[str] = READINGS,

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 
 from verbteach.experiments.figures import Figure
-from verbteach.experiments.grid import STRONGEST, Filled
+from verbteach.experiments.grid import STRONGEST, Cell, Filled
 from verbteach.experiments.grid_figures import (
     Condition,
     Grid,
@@ -20,6 +21,7 @@ from verbteach.experiments.grid_figures import (
 from verbteach.experiments.judging import Score
 from verbteach.experiments.she16 import CRITERIA, ORACLE, VARIANTS
 
+ABOUT = ("program", "data")
 HEADER = (
     "noise", "reading", "grounding", "learner", "criterion", "instances",
     "ied", "ied_low", "ied_high", "sji", "sji_low", "sji_high",
@@ -40,11 +42,14 @@ def rows(cells: Sequence[Filled]) -> Iterator[tuple[str | int | float, ...]]:
             )
 
 
-def markdown(cells: Sequence[Filled], goal: Score) -> str:
-    """All tables; ``goal`` is what planning to the whole demonstrated change comes to."""
+def markdown(cells: Sequence[Filled], goal: Score, missing: Sequence[Cell] = ()) -> str:
+    """All tables; ``goal`` is what planning to the whole demonstrated change comes to.
+
+    ``missing`` are cells that are not computed.
+    """
     grid = gathered(cells)
     parts = [_condition(condition, learners, goal) for condition, learners in grid.items()]
-    parts += [_strongest(grid), _halves(grid), _earned(grid)]
+    parts += [_strongest(grid), _halves(grid), _earned(grid), _origin(cells, missing)]
     return "\n\n".join(parts) + "\n"
 
 
@@ -108,6 +113,17 @@ def _earned(grid: Grid) -> str:
     ]
     heads = ["condition", "learner", "its best plain criterion", "regression against it (SJI)"]
     return f"## What the regression earns\n\n{_table(heads, body)}"
+
+
+def _origin(cells: Sequence[Filled], missing: Sequence[Cell]) -> str:
+    """Which programs and data the cells come from, and what is not there."""
+    counts = Counter(tuple(one.about.get(n, "unknown") for n in ABOUT) for one in cells)
+    body = [[*names, str(count)] for names, count in sorted(counts.items())]
+    table = _table([*ABOUT, "cells"], body)
+    conditions = Counter(_named(Condition.of(cell)) for cell in missing)
+    lines = [f"- {name}: {count} learners" for name, count in conditions.items()]
+    lacking = "\n\nNot computed:\n\n" + "\n".join(lines) if lines else ""
+    return f"## Where the figures come from\n\n{table}{lacking}"
 
 
 def _gain(figure: Figure) -> str:
