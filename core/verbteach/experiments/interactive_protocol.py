@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 
+from verbteach.collecting import without_collecting
 from verbteach.dialogue.acts import IncludeFluent
 from verbteach.dialogue.execution_inquiry import ExecutionInquiry
 from verbteach.dialogue.learning_inquiry import LearningInquiry
@@ -158,7 +159,8 @@ def run(
     ``execution`` its return, in ``lessons`` 1 for a goal judged right, in
     ``tests`` the SJI. ``witness`` is told of each test command, at checkpoints too.
     """
-    return _Run(bench, config, policies, heard, witness).result()
+    with without_collecting():
+        return _Run(bench, config, policies, heard, witness).result()
 
 
 @dataclass(frozen=True)
