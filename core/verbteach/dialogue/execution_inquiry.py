@@ -159,9 +159,10 @@ class ExecutionInquiry:
             return self.pool.grounding_gain((yes, ~yes))
         if isinstance(act, NpGrdWhq):
             place = self.prior.names.index(act.np)
-            things = sorted({objects[place] for objects in groundings})
-            column = np.array([objects[place] for objects in groundings])
-            return self.pool.grounding_gain([column == thing for thing in things])
+            meant = [objects[place] for objects in groundings]
+            things = sorted(set(meant))
+            parts = [np.array([one == thing for one in meant]) for thing in things]
+            return self.pool.grounding_gain(parts)
         return 0.0
 
     def _environment_questions(self) -> Iterator[tuple[RobotAct, dict[str, float]]]:
@@ -231,7 +232,7 @@ class ExecutionInquiry:
         return list(islice(left, self.parameters.goal_questions))
 
     def _asking(self) -> dict[str, float]:
-        value, certainty = float(self.pool.decision.values.max()), self.pool.certainty
+        value, certainty = self.pool.decision.value, self.pool.certainty
         return {
             "ask.value": value,
             "ask.certainty": certainty,
@@ -246,7 +247,7 @@ class ExecutionInquiry:
         return float(np.log1p(np.minimum(chances, 1.0 - chances).sum()))
 
     def _selection(self) -> Candidate:
-        value = float(self.pool.decision.values.max())
+        value = self.pool.decision.value
         held = math.prod(self._holding(literal) for literal in sorted(self.best))
         features = {
             "select_hypo": 1.0,

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from statistics import NormalDist
 
 import numpy as np
@@ -132,10 +133,16 @@ def _clipped(spread: float, uniform: float) -> float:
 
 
 def _truncated(spread: float, uniform: float) -> float:
-    normal = NormalDist(1.0, spread)
-    low, high = normal.cdf(0.0), normal.cdf(1.0)
+    normal, low, high = _truncation(spread)
     drawn = normal.inv_cdf(_inside(low + uniform * (high - low)))
     return min(1.0, max(0.0, drawn))
+
+
+@lru_cache(maxsize=64)
+def _truncation(spread: float) -> tuple[NormalDist, float, float]:
+    """The distribution, and what lies below 0 and below 1 of it: the same for every fluent."""
+    normal = NormalDist(1.0, spread)
+    return normal, normal.cdf(0.0), normal.cdf(1.0)
 
 
 def _inside(probability: float) -> float:

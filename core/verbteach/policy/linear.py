@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
 
@@ -48,6 +48,11 @@ class Weights:
         """What nothing has been learned into."""
         return cls(space, (0.0,) * len(space.names))
 
+    @cached_property
+    def vector(self) -> Floats:
+        """The values as an array, in the features' order."""
+        return np.array(self.values)
+
     def to_json(self) -> dict[str, float]:
         """Weights by name."""
         return dict(zip(self.space.names, self.values, strict=True))
@@ -74,13 +79,13 @@ class LinearPolicy:
         self, episode: object, candidates: Sequence[Candidate], rng: np.random.Generator
     ) -> Decision:
         """Choose; the decision holds every act's Q and the chosen one's propensity."""
-        values = self.weights.space.matrix(candidates) @ np.array(self.weights.values)
+        values = self.weights.space.matrix(candidates) @ self.weights.vector
         best = int(values.argmax())
         explored = bool(self.epsilon) and rng.random() < self.epsilon
         chosen = int(rng.integers(len(candidates))) if explored else best
         even = self.epsilon / len(candidates)
         valued = tuple(
-            replace(one, value=value)
+            Candidate(one.act, one.features, value, one.shares)
             for one, value in zip(candidates, values.tolist(), strict=True)
         )
         propensity = even + (1.0 - self.epsilon) * (chosen == best)

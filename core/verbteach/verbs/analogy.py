@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from verbteach.verbs.examples import Example, Memory, Pattern
-from verbteach.verbs.lifting import bind
+from verbteach.verbs.lifting import mould_of
 from verbteach.verbs.resemblance import Kernel, Said, likeness, overlap
 from verbteach.verbs.space import Demonstration
 from verbteach.verbs.surroundings import Surroundings
-from verbteach.world.fluents import Literal
+from verbteach.world.fluents import Goal, Literal
 
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
@@ -72,15 +72,17 @@ class Analogies:
         self.surroundings = surroundings
         self.literals: list[Literal] = []
         self._number: dict[Literal, int] = {}
+        self._of_goal: dict[Goal, list[int]] = {}
         self._transfers: dict[Pattern, Transfer] = {}
         self._alike: dict[Said, tuple[float, float, float, float]] = {}
+        self._last: tuple[Memory, Floats] | None = None
 
     def gathered(self, memory: Memory, kernel: Kernel, most: int) -> Gathered:
         """Bind the ``most`` examples whose commands are most alike, ties in the memory's order."""
         scores = (self._table(memory) @ kernel.of_words)[memory.command_of]
         chosen = np.argsort(-scores, kind="stable")[:most].tolist()
         found = [(float(scores[i]), self._transfer(memory.examples[i])) for i in chosen]
-        return _joined([pair for pair in found if pair[1].rows])
+        return _joined([pair for pair in found if pair[1] is not NO_TRANSFER])
 
     def nearness(self, memory: Memory) -> float:
         """How alike the noun phrases of the command and the nearest example are (Table 3)."""
@@ -89,12 +91,15 @@ class Analogies:
         return float(self._table(memory)[:, 2:].mean(1).max())
 
     def _table(self, memory: Memory) -> Floats:
-        """The likenesses of each of the memory's commands."""
-        known = self._alike
-        for said in memory.commands:
-            if said not in known:
-                known[said] = likeness(self.said, said)
-        return np.array([known[said] for said in memory.commands]).reshape(-1, 4)
+        """The likenesses of each of the memory's commands; the last memory's are kept."""
+        if self._last is None or self._last[0] is not memory:
+            known = self._alike
+            for said in memory.commands:
+                if said not in known:
+                    known[said] = likeness(self.said, said)
+            table = np.array([known[said] for said in memory.commands]).reshape(-1, 4)
+            self._last = memory, table
+        return self._last[1]
 
     def number(self, literal: Literal) -> int:
         """The literal's number, a new one if it has none."""
@@ -104,31 +109,37 @@ class Analogies:
         return number
 
     def _transfer(self, example: Example) -> Transfer:
-        pattern = example.pattern
-        if pattern not in self._transfers:
-            self._transfers[pattern] = self._bound(example)
-        return self._transfers[pattern]
+        transfer = self._transfers.get(example.pattern)
+        if transfer is None:
+            transfer = self._transfers[example.pattern] = self._bound(example)
+        return transfer
 
     def _bound(self, example: Example) -> Transfer:
-        known = self.surroundings.affordances
+        shown, known = example.demonstration, self.surroundings.affordances
         literals: list[int] = []
         rows: list[int] = []
         kept: list[tuple[int, float, float, float]] = []
         fits = all(thing in known for thing in example.binding)
+        mould = mould_of(example.change)
         for index, objects in enumerate(self.groundings if fits else ()):
-            ways = _arguments(objects, example.demonstration.grounding)
+            ways = _arguments(objects, shown.grounding)
+            same = self._same_objects(objects, shown)
             for arguments in ways:
-                goal = bind(example.change, arguments, example.binding)
+                goal = mould.filled(arguments, example.binding)
                 if goal is not None:
-                    numbers = [self.number(literal) for literal in sorted(goal)]
+                    numbers = self._numbers(goal)
                     literals += numbers
                     rows += [len(kept)] * len(numbers)
-                    same = self._same_objects(objects, example.demonstration)
-                    kinds = _same_kinds(
-                        arguments, example.demonstration.grounding, self.surroundings
-                    )
+                    kinds = _same_kinds(arguments, shown.grounding, self.surroundings)
                     kept.append((index, 1.0 / len(ways), same, kinds))
         return _transfer(literals, rows, kept)
+
+    def _numbers(self, goal: Goal) -> list[int]:
+        """The numbers of a goal's literals, in their order: many examples come to the same goal."""
+        numbers = self._of_goal.get(goal)
+        if numbers is None:
+            numbers = self._of_goal[goal] = [self.number(literal) for literal in sorted(goal)]
+        return numbers
 
     def _same_objects(self, objects: tuple[str, ...], shown: Demonstration) -> float:
         pairs = zip(objects, shown.grounding, self.said.phrases, shown.phrases, strict=False)
@@ -136,10 +147,22 @@ class Analogies:
         return same / max(1, len(objects))
 
 
+NO_TRANSFER = Transfer(
+    np.zeros(0, np.int64),
+    np.zeros(0, np.int64),
+    np.zeros(0, np.int64),
+    np.zeros(0),
+    np.zeros((0, 2)),
+)
+"""Of an example that cannot be bound: one for all, since most of them cannot in most rooms."""
+
+
 def _transfer(
     literals: list[int], rows: list[int], kept: list[tuple[int, float, float, float]]
 ) -> Transfer:
-    table = np.array(kept, dtype=np.float64).reshape(-1, 4)
+    if not kept:
+        return NO_TRANSFER
+    table = np.array(kept, dtype=np.float64)
     return Transfer(
         np.array(literals, dtype=np.int64),
         np.array(rows, dtype=np.int64),
@@ -153,7 +176,7 @@ def _joined(found: Sequence[tuple[float, Transfer]]) -> Gathered:
     sizes = np.array([transfer.rows for _, transfer in found], dtype=np.int64)
     offsets = np.concatenate([np.zeros(1, np.int64), np.cumsum(sizes)])
     scores = np.array([score for score, _ in found], dtype=np.float64)
-    parts = [transfer for _, transfer in found] or [_transfer([], [], [])]
+    parts = [transfer for _, transfer in found] or [NO_TRANSFER]
     return Gathered(
         np.concatenate([part.literals for part in parts]),
         np.concatenate([part.row + start for part, start in zip(parts, offsets, strict=False)]),

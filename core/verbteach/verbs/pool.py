@@ -29,7 +29,6 @@ Bools = NDArray[np.bool_]
 Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 Singles = NDArray[np.float32]
-Likeness = NDArray[np.floating[Any]]
 
 PLACES: Mapping[str, int] = {
     "On": 0, "In": 0, "Grasping": 1, "on": 0, "in": 0, "beside": 0, "grasping": 1,
@@ -72,9 +71,9 @@ class Edited(NamedTuple):
     was in one of them, ``both`` where it was in both.
     """
 
-    neither: Likeness
-    either: Likeness
-    both: Likeness
+    neither: Floats
+    either: Floats
+    both: Floats
 
     def expected(self, chosen: Bools, wanted: Bools, weights: Floats) -> Floats:
         """Each choice's expected likeness (choices x literals), truths weighed by ``weights``.
@@ -85,7 +84,7 @@ class Edited(NamedTuple):
         without, within = np.where(wanted, 0.0, weights), np.where(wanted, weights, 0.0)
         absent = self.neither @ without + self.either @ within
         present = self.either @ without + self.both @ within
-        return np.asarray(np.where(chosen, present, absent))
+        return np.where(chosen, present, absent)
 
 
 @dataclass(frozen=True)
@@ -105,28 +104,37 @@ class Decision:
     index: Ints
 
     @cached_property
-    def jaccard(self) -> Singles:
+    def jaccard(self) -> Floats:
         """How alike each choice is to each truth, 0 to 1."""
-        return np.where(self.union > 0, self.shared / np.maximum(self.union, 1), 0).astype(
-            np.float32
-        )
+        return _doubles(self.shared / self._some)
 
     @cached_property
     def if_added(self) -> Edited:
         """How alike they are once a literal is added to all."""
         more = self.shared + 1
-        return Edited(more / (self.union + 1), more / np.maximum(self.union, 1), self.jaccard)
+        return Edited(_doubles(more / (self.union + 1)), _doubles(more / self._some), self.jaccard)
 
     @cached_property
     def if_taken(self) -> Edited:
         """How alike they are once a literal is taken out of all."""
         fewer = np.maximum(self.union - 1, 1)
-        return Edited(self.jaccard, self.shared / fewer, (self.shared - 1) / fewer)
+        either, both = self.shared / fewer, (self.shared - 1) / fewer
+        return Edited(self.jaccard, _doubles(either), _doubles(both))
+
+    @cached_property
+    def _some(self) -> Singles:
+        """The union, 1 where there is none: what shares nothing is not alike."""
+        return np.maximum(self.union, 1)
 
     @cached_property
     def values(self) -> Floats:
         """The expected Jaccard index of each choice."""
-        return np.asarray(self.jaccard @ self.chances, dtype=np.float64)
+        return self.jaccard @ self.chances
+
+    @cached_property
+    def value(self) -> float:
+        """That of the best."""
+        return float(self.values.max())
 
     @cached_property
     def order(self) -> Ints:
@@ -189,11 +197,13 @@ class GoalPool:
         order = np.argsort(-self.probabilities, kind="stable")[: self.parameters.kept]
         truths = self.truths[order]
         chances = self.probabilities[order]
-        likely = self.marginals[None, :] > np.array(self.parameters.thresholds)[:, None]
-        choices = np.concatenate([truths[: self.parameters.choices], likely]).astype(np.float32)
+        likely = self.marginals > np.array(self.parameters.thresholds)[:, None]
         singles = truths.astype(np.float32)
+        choices = np.concatenate([singles[: self.parameters.choices], likely.astype(np.float32)])
         shared = choices @ singles.T
-        union = choices.sum(1)[:, None] + singles.sum(1)[None, :] - shared
+        sizes = singles.sum(1)
+        chosen = np.concatenate([sizes[: self.parameters.choices], likely.sum(1, np.float32)])
+        union = chosen[:, None] + sizes - shared
         return Decision(singles, chances / chances.sum(), choices, shared, union, order)
 
     def ranked_goals(self) -> Iterator[tuple[Goal, float]]:
@@ -249,7 +259,7 @@ class GoalPool:
         chosen = now.choices[:, literals] > 0
         after_yes = now.if_added.expected(chosen, wanted, yes)
         after_no = now.if_taken.expected(chosen, wanted, no)
-        return np.asarray(after_yes.max(0) + after_no.max(0) - now.values.max())
+        return np.asarray(after_yes.max(0) + after_no.max(0) - now.value)
 
     def grounding_gain(self, parts: Sequence[Bools]) -> float:
         """The same for a question that tells apart ``parts`` of the joint groundings."""
@@ -260,7 +270,7 @@ class GoalPool:
             mass = np.bincount(self.source, inside, minlength=len(self.truths))[now.index]
             values.append(float((now.jaccard @ mass).max()))
         scale = float(self.probabilities[now.index].sum())
-        return sum(values) / scale - float(now.values.max()) if scale > 0 else 0.0
+        return sum(values) / scale - now.value if scale > 0 else 0.0
 
     @cached_property
     def certainty(self) -> float:
@@ -341,6 +351,11 @@ class PoolSource:
             chances,
             np.ones(len(truths)),
         )
+
+
+def _doubles(values: NDArray[np.floating[Any]]) -> Floats:
+    """In the precision of the chances, once: each product of the two would convert them anew."""
+    return values.astype(np.float64)
 
 
 def _summed(index: Ints, values: Floats, size: int) -> Floats:

@@ -80,6 +80,9 @@ def observed_change(before: Belief, after: Belief, fluents: Iterable[Fluent]) ->
 
 
 def _chances(fluent: Fluent, start: float, end: float) -> list[tuple[Literal, float]]:
+    """The literals that may have come true; most fluents that could change are false throughout."""
+    if start == end and start in (0.0, 1.0):
+        return []
     pairs = ((Literal(fluent), end * (1.0 - start)), (Literal(fluent, False), start * (1.0 - end)))
     return [(literal, chance) for literal, chance in pairs if chance > 0.0]
 
