@@ -18,6 +18,7 @@ from verbteach.experiments.figures import Figure, Observation, constant, figure
 from verbteach.experiments.folds import Fold, is_development
 from verbteach.experiments.jobs import (
     Development,
+    Lesson,
     Lessons,
     Setup,
     Site,
@@ -74,10 +75,16 @@ class Grounds:
         return tuple(found[name] for name in sorted(found))
 
 
-def run_trials(grounds: Grounds, setup: Setup, run: int = 0, mapper: Mapper = map) -> list[Trial]:
-    """One run: the trials of all folds, by instance."""
+def run_trials(
+    grounds: Grounds,
+    setup: Setup,
+    run: int = 0,
+    mapper: Mapper = map,
+    known: dict[str, Lesson] | None = None,
+) -> list[Trial]:
+    """One run: the trials of all folds, by instance. ``known`` as in ``compare_criteria``."""
     criterion = setup.variant.criterion
-    return compare_criteria(grounds, setup, (criterion,), run, mapper)[criterion]
+    return compare_criteria(grounds, setup, (criterion,), run, mapper, known)[criterion]
 
 
 def compare_criteria(
@@ -86,17 +93,20 @@ def compare_criteria(
     criteria: Sequence[str] = CRITERIA,
     run: int = 0,
     mapper: Mapper = map,
+    known: dict[str, Lesson] | None = None,
 ) -> dict[str, list[Trial]]:
     """One run of learners that learn alike and differ in how they choose: trials by criterion.
 
     The same as ``run_trials`` with each ``setup.variant.criterion``, at about
     the price of one: demonstrations are learned from once, and candidate goals
-    gathered once.
+    gathered once. ``known`` are the lessons of an earlier call with the same
+    setup and run on the same instances, whatever its folds; what is learned
+    now is added.
     """
     with without_collecting():
         sight = Sight.of(setup.noise, grounds.instances, setup.seed, run)
         site = Site(setup, sight, grounds.parcels, grounds.planner)
-        lessons = Parcel(_learned(grounds, site, mapper))
+        lessons = Parcel(_learned(grounds, site, mapper, {} if known is None else known))
         chosen = _criteria(grounds, site, lessons, criteria, mapper)
         jobs = [
             (site.only(fold.test), fold.test, (lessons, [i.id for i in fold.train]), own)
@@ -106,10 +116,13 @@ def compare_criteria(
     return {name: sorted(trial for one in found for trial in one[name]) for name in criteria}
 
 
-def _learned(grounds: Grounds, site: Site, mapper: Mapper) -> Lessons:
-    jobs = [(site.only(own), own) for own in _by_environment(grounds.train).values()]
-    found = (lesson for lessons in mapper(learn_all, jobs) for lesson in lessons)
-    return {lesson.demonstration.id: lesson for lesson in found}
+def _learned(grounds: Grounds, site: Site, mapper: Mapper, known: dict[str, Lesson]) -> Lessons:
+    """The known lessons with those that are still to be learned, which are added to them."""
+    new = [instance for instance in grounds.train if instance.id not in known]
+    jobs = [(site.only(own), own) for own in _by_environment(new).values()]
+    for lessons in mapper(learn_all, jobs):
+        known.update((lesson.demonstration.id, lesson) for lesson in lessons)
+    return known
 
 
 def _criteria(

@@ -18,7 +18,7 @@ from verbteach.experiments.interactive_protocol import (
     Taught,
     Tested,
 )
-from verbteach.experiments.jobs import Setup, Trial
+from verbteach.experiments.jobs import Lesson, Setup, Trial
 from verbteach.experiments.she16 import VARIANTS
 from verbteach.perception.noise import NoiseModel
 from verbteach.verbs.instance import Instance
@@ -47,12 +47,13 @@ def demonstration_only(
     ``grounds`` has the tasks and the planner; its folds are not used.
     """
     split = InstanceSplit.of(instances, config)
+    known: dict[str, Lesson] = {}  # a demonstration teaches the same, however many there are
 
     def tested(share: float) -> tuple[int, tuple[Tested, ...]]:
         lessons = split.lessons(share)
         folds = tuple(_folds(instances, lessons, config))
         cut = _Cut(folds, grounds.tasks, grounds.planner, tuple(instances))
-        trials = run_trials(cut, setup, config.run)
+        trials = run_trials(cut, setup, config.run, known=known)
         return len(lessons), tuple(_tested(one, config) for one in trials)
 
     lessons, rows = tested(config.verb_share)
