@@ -113,6 +113,16 @@ def test_a_peer_solves_the_same_questions(questions: list[Question]) -> None:
     assert multiprocessing.active_children() == []
 
 
+def test_this_planner_is_asked_from_text_as_well(questions: list[Question]) -> None:
+    name = "verbteach, from text"
+    assert name in peers.here()
+    some = questions[:2]
+    measured = peers.measure(name, [one.pddl() for one in some], lambda n: None)
+    ready = planning.measure(some, planning.paths()[-1], lambda n: None)
+    assert (measured["problem"], measured["solved"]) == (None, 2)
+    assert measured["steps"] == ready["steps"]
+
+
 def test_a_peer_that_breaks_is_reported_and_not_waited_for() -> None:
     if "kairos" not in peers.here():
         pytest.skip("no peer to break")

@@ -1,7 +1,8 @@
 """Other planners on the same questions, where they are installed.
 
 Each is asked in a process of its own, from PDDL text, and parses and grounds
-at every call: none of them offers to swap state and goal. A question that
+at every call: none of them offers to swap state and goal. This planner is asked
+in that way too, beside its own, where the task is ready. A question that
 takes too long is broken off and counted as such, a peer that has used up its
 time gets no more questions, and one that cannot read the domain neither.
 """
@@ -20,6 +21,13 @@ from pathlib import Path
 from time import monotonic
 from typing import Any, NamedTuple
 
+from verbteach.world import compiled
+from verbteach.world.plan import Plan
+from verbteach.world.planner import make_planner
+from verbteach.world.task import Task
+from verbteach_scenarios.pddl import parse_domain
+from verbteach_scenarios.pddl.problem_file import parse_problem
+from verbteach_tui.bench import planning
 from verbteach_tui.bench.clock import percentiles, timed
 from verbteach_tui.installation import installed
 
@@ -85,8 +93,23 @@ def pyperplan() -> Solve:
     return solve
 
 
+def from_text() -> Solve:
+    """This planner as the others are asked: nothing is ready but the program."""
+    compiled.warm_up()
+    path = planning.paths()[-1]
+
+    def solve(domain: str, problem: str) -> int | None:
+        read = parse_domain(domain)
+        asked = parse_problem(problem, read)
+        task = Task(read, asked.objects, asked.initial)
+        answer = make_planner(task, planning.UNREMEMBERED, path).plan(asked.initial, asked.goal)
+        return len(answer.actions) if isinstance(answer, Plan) else None
+
+    return solve
+
+
 class Peer(NamedTuple):
-    """Another planner: how it is imported, how it is installed, how it is asked."""
+    """A planner: how it is imported, how it is installed, how it is asked."""
 
     module: str
     package: str
@@ -94,6 +117,7 @@ class Peer(NamedTuple):
 
 
 PEERS: Mapping[str, Peer] = {
+    "verbteach, from text": Peer("verbteach_scenarios", "verbteach", from_text),
     "kairos": Peer("kairos", "kairos-planner", kairos),
     "pymimir": Peer("pymimir", "pymimir", pymimir),
     "pyperplan": Peer("pyperplan", "pyperplan", pyperplan),
