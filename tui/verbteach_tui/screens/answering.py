@@ -18,6 +18,7 @@ from verbteach_tui.teaching import Teaching
 from verbteach_tui.widgets.command_input import CommandInput
 
 _TYPING = "To answer in words, press Tab or / first."
+_TELLING = 4.0  # seconds for which that stays in view
 
 
 class AnsweringScreen(SpeakingScreen):
@@ -27,6 +28,7 @@ class AnsweringScreen(SpeakingScreen):
         super().__init__(teaching)
         self.guard = KeyGuard()
         self._typed = ""
+        self._told = float("-inf")
 
     @property
     def typing(self) -> bool:
@@ -61,8 +63,10 @@ class AnsweringScreen(SpeakingScreen):
     def _typed_elsewhere(self, event: events.Key) -> None:
         """Swallow a key that belongs to a word, and say once a word where words go."""
         _consume(event)
-        if event.key == "enter" or self.guard.swallowed == 2:
-            self.notify(_TYPING, timeout=3)
+        ended = event.key == "enter" or self.guard.swallowed == 2
+        if ended and event.time - self._told >= _TELLING:
+            self._told = event.time
+            self.notify(_TYPING, timeout=_TELLING)
 
     def _answers(self, character: str) -> bool:
         snapshot = self.snapshot

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import takewhile
 
 from verbteach_tui.views.dialogue import SPEAKERS, DialogueLine
 from verbteach_tui.views.rows import Row, Span, clipped, wrapped
@@ -21,8 +22,9 @@ class LatestWords(RowsView, can_focus=False):
     """
 
     def show_lines(self, lines: Sequence[DialogueLine]) -> None:
-        """Show the last of ``lines`` that the robot said."""
-        said = next((line.text for line in reversed(lines) if line.speaker == "robot"), "")
+        """Show what the robot said since somebody else spoke, at the end of ``lines``."""
+        latest = takewhile(lambda line: line.speaker == "robot", reversed(lines))
+        said = " ".join(reversed([line.text for line in latest]))
         self.show_once(said, lambda width: _rows(said, width))
 
     def redrawn(self) -> None:

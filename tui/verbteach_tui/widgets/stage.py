@@ -14,6 +14,9 @@ from verbteach_tui.widgets.demonstration_builder import DemonstrationBuilder
 from verbteach_tui.widgets.execution_view import ExecutionView
 from verbteach_tui.widgets.read_back_view import ReadBackView
 
+BRIEF = 4
+"""As many steps or parts at most leave more rows to the panel beside them, where rows are few."""
+
 
 class Stage(Container):
     """Shows one of its three views, or nothing."""
@@ -52,6 +55,8 @@ class Stage(Container):
             self.builder.show_snapshot(snapshot, speed)
         elif isinstance(view, ReadBackView):
             view.show_parts(snapshot.parts)
+        brief = view is not self.builder and len(snapshot.steps) + len(snapshot.parts) <= BRIEF
+        self.set_class(brief, "-brief")
         return view is not None
 
     def take_focus(self) -> None:
