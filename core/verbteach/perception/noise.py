@@ -129,7 +129,7 @@ def perceive_both(
 
 
 def _clipped(spread: float, uniform: float) -> float:
-    return min(1.0, max(0.0, NormalDist(1.0, spread).inv_cdf(_inside(uniform))))
+    return min(1.0, max(0.0, _truncation(spread)[0].inv_cdf(_inside(uniform))))
 
 
 def _truncated(spread: float, uniform: float) -> float:

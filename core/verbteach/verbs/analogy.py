@@ -46,6 +46,15 @@ class Transfer(NamedTuple):
         return len(self.grounding)
 
 
+class _Way(NamedTuple):
+    """A joint grounding's objects as arguments; ``kinds`` is how many afford what was shown."""
+
+    grounding: int
+    arguments: tuple[str, ...]
+    share: float
+    kinds: float
+
+
 class Gathered(NamedTuple):
     """All rows that speak about a command: see ``Transfer``; ``words`` is each row's log weight."""
 
@@ -72,6 +81,7 @@ class Analogies:
         self.surroundings = surroundings
         self.literals: list[Literal] = []
         self._number: dict[Literal, int] = {}
+        self._ways: dict[tuple[str, ...], list[_Way]] = {}
         self._of_goal: dict[Goal, list[int]] = {}
         self._transfers: dict[Pattern, Transfer] = {}
         self._alike: dict[Said, tuple[float, float, float, float]] = {}
@@ -119,20 +129,34 @@ class Analogies:
         literals: list[int] = []
         rows: list[int] = []
         kept: list[tuple[int, float, float, float]] = []
-        fits = all(thing in known for thing in example.binding)
+        if not all(thing in known for thing in example.binding):
+            return NO_TRANSFER
         mould = mould_of(example.change)
-        for index, objects in enumerate(self.groundings if fits else ()):
-            ways = _arguments(objects, shown.grounding)
-            same = self._same_objects(objects, shown)
-            for arguments in ways:
-                goal = mould.filled(arguments, example.binding)
-                if goal is not None:
-                    numbers = self._numbers(goal)
-                    literals += numbers
-                    rows += [len(kept)] * len(numbers)
-                    kinds = _same_kinds(arguments, shown.grounding, self.surroundings)
-                    kept.append((index, 1.0 / len(ways), same, kinds))
+        same = [self._same_objects(objects, shown) for objects in self.groundings]
+        for index, arguments, share, kinds in self._ways_of(shown.grounding):
+            goal = mould.filled(arguments, example.binding)
+            if goal is not None:
+                numbers = self._numbers(goal)
+                literals += numbers
+                rows += [len(kept)] * len(numbers)
+                kept.append((index, share, same[index], kinds))
         return _transfer(literals, rows, kept)
+
+    def _ways_of(self, shown: tuple[str, ...]) -> list[_Way]:
+        """The ways to put the command's objects in the places of those that were shown."""
+        if shown not in self._ways:
+            self._ways[shown] = [
+                _Way(index, arguments, 1.0 / len(ways), self._same_kinds(arguments, shown))
+                for index, objects in enumerate(self.groundings)
+                for ways in (_arguments(objects, shown),)
+                for arguments in ways
+            ]
+        return self._ways[shown]
+
+    def _same_kinds(self, new: Sequence[str], shown: Sequence[str]) -> float:
+        known = self.surroundings.affordances
+        same = sum(known.get(a) == known.get(b) for a, b in zip(new, shown, strict=True))
+        return same / max(1, len(new))
 
     def _numbers(self, goal: Goal) -> list[int]:
         """The numbers of a goal's literals, in their order: many examples come to the same goal."""
@@ -202,9 +226,3 @@ def _arguments(objects: tuple[str, ...], shown: tuple[str, ...]) -> list[tuple[s
             arguments[place] = thing
         found.append(tuple(arguments))
     return found
-
-
-def _same_kinds(new: Sequence[str], shown: Sequence[str], surroundings: Surroundings) -> float:
-    known = surroundings.affordances
-    same = sum(known.get(a) == known.get(b) for a, b in zip(new, shown, strict=True))
-    return same / max(1, len(new))

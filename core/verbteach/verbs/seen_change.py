@@ -62,7 +62,7 @@ def seen_change(
     for ground in done:
         traced.follow(ground)
     found = []
-    for fluent in task.named(traced.touched):
+    for fluent in task.named(traced.touched & ~_never_true(task, traced, before, after)):
         bit = task.bit[fluent]
         start = _known(bit, traced.needed, traced.excluded, before[fluent])
         seen = model * bool(traced.bits & bit) + (1.0 - model) * after[fluent]
@@ -80,11 +80,15 @@ def observed_change(before: Belief, after: Belief, fluents: Iterable[Fluent]) ->
 
 
 def _chances(fluent: Fluent, start: float, end: float) -> list[tuple[Literal, float]]:
-    """The literals that may have come true; most fluents that could change are false throughout."""
-    if start == end and start in (0.0, 1.0):
-        return []
     pairs = ((Literal(fluent), end * (1.0 - start)), (Literal(fluent, False), start * (1.0 - end)))
     return [(literal, chance) for literal, chance in pairs if chance > 0.0]
+
+
+def _never_true(task: Task, traced: _Trace, before: Belief, after: Belief) -> int:
+    """The bits of what was neither true before nor is after, by far the most of what may change."""
+    seen_before, seen_after = (task.encode(frozenset(b.confidences)) for b in (before, after))
+    not_before = ~traced.needed & (traced.excluded | ~seen_before)
+    return not_before & ~traced.made & (traced.unmade | ~(traced.bits | seen_after))
 
 
 def _known(bit: int, yes: int, no: int, otherwise: float) -> float:
