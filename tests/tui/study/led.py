@@ -18,9 +18,11 @@ from verbteach_tui.keyguard import KeyGuard
 from verbteach_tui.options import OpenNew
 from verbteach_tui.plain import lead
 from verbteach_tui.room import app_options
+from verbteach_tui.study import reading_screen
 from verbteach_tui.study.app import StudyApp
 from verbteach_tui.study.lesson_screen import LessonScreen
 from verbteach_tui.study.plain_study import StudyTalk
+from verbteach_tui.study.reading_screen import ReadingScreen
 from verbteach_tui.study.run import StudyRun
 
 SHOW = ("open the fridge", "go to the fridge", "open the fridge", "done", "yes")
@@ -82,6 +84,8 @@ class Led(Room):
                 await self.pilot.pause()
                 if isinstance(self.app.screen, LessonScreen):
                     self.hurry()
+                if isinstance(self.app.screen, ReadingScreen):
+                    await self.pilot.pause(reading_screen.TOO_SOON)
                 return
         raise AssertionError(f"no {kind.__name__}, but {self.app.screen}")
 

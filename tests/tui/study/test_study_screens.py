@@ -14,6 +14,7 @@ from verbteach_sessions.eventlog import LogReader
 from verbteach_sessions.session import Session
 from verbteach_tui.screens.failure import FailureScreen
 from verbteach_tui.screens.verbs import VerbsScreen
+from verbteach_tui.study import reading_screen
 from verbteach_tui.study.leaving_screen import LeavingScreen
 from verbteach_tui.study.lesson_screen import LessonScreen
 from verbteach_tui.study.questionnaire_screen import QuestionnaireScreen
@@ -88,6 +89,18 @@ async def test_a_refusal_leaves_no_trace(tmp_path: Path) -> None:
         await here.come(ReadingScreen)
         await here.press("escape", "q", "space", "n")
         assert here.study.farewell
+    assert not (tmp_path / "records").exists()
+
+
+async def test_keys_pressed_before_the_text_could_be_read_are_no_consent(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(reading_screen, "TOO_SOON", 3600.0)
+    async with on_screen(tmp_path) as here:
+        await here.pilot.pause()
+        await here.press("y", "enter", "n")
+        assert isinstance(here.app.screen, ReadingScreen)
+        assert here.app.screen.query_one("#text").has_focus
     assert not (tmp_path / "records").exists()
 
 

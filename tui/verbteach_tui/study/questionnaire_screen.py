@@ -65,8 +65,13 @@ class QuestionnaireScreen(Screen[None]):
         self.query_one(TitleBar).show_title(visible(self._title))
 
     def on_resize(self) -> None:
-        """The question with the keys stays in view."""
-        if self.focused is not None:
+        """The question with the keys stays in view, and what stands above the first one with it."""
+        page = self.query_one("#questions", VerticalScroll)
+        if self.focused is None:
+            return
+        if self.focused in page.children[:2]:
+            self.call_after_refresh(page.scroll_home, animate=False)
+        else:
             self.call_after_refresh(self.focused.scroll_visible, animate=False)
 
     def on_button_pressed(self, event: Button.Pressed) -> None:

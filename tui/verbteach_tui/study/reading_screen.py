@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from time import monotonic
 from typing import ClassVar, NamedTuple
 
 from textual import events
@@ -18,6 +19,9 @@ from verbteach_tui.views.visible import visible
 from verbteach_tui.widgets.foot import Foot
 from verbteach_tui.widgets.rows_view import RowsView
 from verbteach_tui.widgets.title_bar import TitleBar
+
+TOO_SOON = 0.3
+"""Seconds in which nobody can have read anything: keys are left over from what was before."""
 
 _BESIDE = 4
 """Rows of the screen that are not for the text."""
@@ -79,6 +83,7 @@ class ReadingScreen(Screen[None]):
         super().__init__()
         self._title, self._heading, self._text = title, heading, text
         self._choices = tuple(choices)
+        self._shown = float("inf")
         for choice in choices:
             self._bindings.bind(choice.key, f"choose('{choice.word}')", choice.label)
 
@@ -99,6 +104,10 @@ class ReadingScreen(Screen[None]):
         text.border_title = visible(self._heading)
         text.show(self._drawn)
         text.focus()
+        self.call_after_refresh(self._come_into_view)
+
+    def _come_into_view(self) -> None:
+        self._shown = monotonic()
 
     def _drawn(self, width: int) -> list[Row]:
         rows: list[Row] = []
@@ -112,7 +121,9 @@ class ReadingScreen(Screen[None]):
         self.action_choose(event.button.id or "")
 
     def action_choose(self, word: str) -> None:
-        """Say what was chosen, once."""
+        """Say what was chosen, once, and not before it can be seen."""
+        if monotonic() - self._shown < TOO_SOON:
+            return
         for button in self.query(Button):
             if button.disabled:
                 return
