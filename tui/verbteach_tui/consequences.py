@@ -23,7 +23,7 @@ def consequence(before: EpisodeState | None, after: EpisodeState | None, speech:
     ]
     if not told:
         new = after.asked[len(before.asked) :]
-        told = [text for one in new if (text := _answered(one, speech))]
+        told = [text for one in new if (text := _answered(one, speech) or _without(one, after))]
     return " ".join(told)
 
 
@@ -45,6 +45,16 @@ def _answered(exchange: Exchange, speech: Speech) -> str:
                 return f"{_SURE} {words.should(literal)}."
             return f"{_SURE} it is no part of the goal that {words.describe(literal)}."
     return ""
+
+
+def _without(exchange: Exchange, after: EpisodeState) -> str:
+    """What follows where a thing that was spoken of is not there, or nobody can say which it is."""
+    question = exchange.question
+    if exchange.answer != "unsure" or not isinstance(question, acts.NpGrdWhq):
+        return ""
+    if after.grounding[question.np]:
+        return ""
+    return f"I go on without {_the(question.np)}; to leave the command, skip."
 
 
 def _the(phrase: str) -> str:

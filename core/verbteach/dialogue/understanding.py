@@ -10,6 +10,7 @@ from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.grounding import GroundingBelief
 from verbteach.dialogue.setting import Setting, UnknownObjectError
 from verbteach.dialogue.speech import Speech
+from verbteach.dialogue.whence import together
 from verbteach.language import household
 from verbteach.language.agreement import agree
 from verbteach.language.anaphora import resolve
@@ -162,7 +163,7 @@ def ground_phrases(draft: Draft, frame: VerbFrame) -> tuple[GroundingBelief, fro
     on: in the bundled lessons those make clear phrases unclear. What a phrase
     has meant before speaks for it (section 4.3: *Grd* is initialised with
     existing knowledge). In one command a phrase keeps the meaning that it had
-    in an earlier clause.
+    in an earlier clause. Something taken from somewhere is there.
     """
     looks = _looks(draft)
     weights: dict[str, Mapping[str, float]] = {}
@@ -177,7 +178,7 @@ def ground_phrases(draft: Draft, frame: VerbFrame) -> tuple[GroundingBelief, fro
             found = _guesses(draft, argument, looks)
             guessed |= {argument.phrase.text} if found else set()
         weights[argument.phrase.text] = _experienced(draft, argument.phrase.text, found)
-    return GroundingBelief.of(weights), frozenset(guessed)
+    return GroundingBelief.of(together(frame, weights, looks)), frozenset(guessed)
 
 
 def _candidates(draft: Draft, argument: Argument, looks: Looks) -> Candidates:
@@ -216,11 +217,26 @@ def find_objects(draft: Draft, phrase: str, text: str) -> Found:
     spoken = [*(thing for _, thing in draft.state.spoken), *current[:1]]
     found = refer(told, _looks(draft), spoken, listed=current)
     among = tuple(row for row in found if row[0] in current)
-    if among or found:
+    points_back = told.head == "one" and bool(current)
+    if among or (found and not points_back):
         return Found(among or found)
-    near = suggest(told.head, draft.mind.setting.vocabulary)
-    offer = f' Did you mean "{near[0]}"?' if near else ""
+    near = _respelled(draft, told)
+    offer = f' Did you mean "{near}"?' if near else ""
     return Found((), f'I see nothing here that I would call "{text}".{offer}')
+
+
+def _respelled(draft: Draft, told: NounPhrase) -> str:
+    """The noun, or what describes it, as it may have been meant; empty where all is known."""
+    setting, looks = draft.mind.setting, _looks(draft)
+    if told.head != "one" and (near := suggest(told.head, setting.vocabulary)):
+        return near[0]
+    marks = {mark for thing in looks.objects for mark in looks.names.lasting_marks(thing)}
+    words = {mark for mark in marks if mark.isalpha()}
+    for word in told.modifiers:
+        near = () if word in words else suggest(word, words)
+        if near:
+            return told.text.replace(word, near[0], 1)
+    return ""
 
 
 def _noun_phrase(draft: Draft, text: str) -> NounPhrase | None:

@@ -79,6 +79,12 @@ class _Said:
             relations=tuple(r for r in phrase.relations if r[1].head not in POSITIONS),
         )
 
+    @property
+    def points_back(self) -> bool:
+        """Whether it says nothing but that something was spoken of: "the other one"."""
+        described = self.marks or self.relations or self.number or self.size or self.holder
+        return self.heads[0] == "one" and not described and self.ordinal is None
+
 
 def _heads(phrase: NounPhrase) -> tuple[str, ...]:
     """The noun as names may have it: some name one thing in the plural, as "the keys" do."""
@@ -117,6 +123,8 @@ def refer(
             (thing, FIRST_NAME) for thing in dict.fromkeys(latest) if thing in looks.objects
         )
     said = _Said.of(phrase)
+    if said.points_back and not spoken and not listed:
+        return ()
     weights = _weights(said, looks, spoken)
     if not any(weights.values()) and spoken and not said.other:
         weights = _weights(said, looks, ())

@@ -1,0 +1,70 @@
+"""What the teacher's words mean in a room: sources, "the one ...", and typing errors."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.dialogue.stage import robot, tell
+from verbteach.dialogue import acts
+from verbteach.dialogue.robot import Robot
+from verbteach.dialogue.turn import RobotTurn
+
+
+def asked(listener: Robot, *said: str) -> RobotTurn:
+    command, *answers = said
+    return tell(listener, acts.Command(command), *map(acts.Say, answers))
+
+
+def meant(listener: Robot, phrase: str) -> set[str]:
+    episode = listener.state.episode
+    assert episode is not None
+    return {thing for thing, _ in episode.grounding[phrase]}
+
+
+@pytest.mark.parametrize(
+    ("command", "phrases"),
+    [
+        ("take the apple from the bowl", {"apple": "Apple_1", "bowl": "Bowl_1"}),
+        ("take the mug out of the cupboard", {"mug": "Mug_3", "cupboard": "Cupboard_1"}),
+        ("grab the mug off the table", {"mug": "Mug_1", "table": "Table_1"}),
+    ],
+)
+def test_what_is_taken_from_somewhere_is_there(command: str, phrases: dict[str, str]) -> None:
+    listener = robot()
+    asked(listener, command)
+    for word, thing in phrases.items():
+        assert meant(listener, f"the {word}") == {thing}
+
+
+def test_where_nothing_is_there_both_phrases_stay_open() -> None:
+    listener = robot()
+    asked(listener, "take the cup from the bowl")
+    assert len(meant(listener, "the cup")) > 1
+    assert meant(listener, "the bowl") == {"Bowl_1", "Bowl_2"}
+
+
+def test_the_one_is_one_of_those_that_were_asked_about() -> None:
+    """The sponge is next to the sink, and is no plate."""
+    listener = robot()
+    turn = asked(listener, "take the plate", "the one next to the sink")
+    assert meant(listener, "the plate") == {"Plate_1", "Plate_2"}
+    assert any("next to the sink" in text for text in texts(turn))
+    tell(listener, acts.Say("the one on the table"))
+    assert meant(listener, "the plate") == {"Plate_2"}
+
+
+def test_the_other_one_means_nothing_before_anything_was_spoken_of() -> None:
+    listener = robot()
+    asked(listener, "grab the other one")
+    assert meant(listener, "the other one") == set()
+
+
+def test_a_misspelled_description_is_offered_and_not_taken() -> None:
+    listener = robot()
+    turn = asked(listener, "take the plate", "the bleu one")
+    assert any('Did you mean "the blue one"?' in text for text in texts(turn))
+    assert meant(listener, "the plate") == {"Plate_1", "Plate_2"}
+
+
+def texts(turn: RobotTurn) -> list[str]:
+    return [act.reason for act in turn.acts if isinstance(act, acts.AskAgain)]
