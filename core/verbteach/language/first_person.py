@@ -9,6 +9,8 @@ _PLAIN = {"has": "have", "does": "do", "holds": "hold", "carries": "carry"}
 
 def first_person(sentence: str) -> str:
     """``sentence`` with the robot as its speaker; what it says of others stays as it is."""
+    if "he robot" not in sentence:
+        return sentence
     told = re.sub(r"\b([Ii])s the robot\b", lambda m: f"{'A' if m[1] == 'I' else 'a'}m I", sentence)
     told = re.sub(r"\b([Hh]a|[Dd]oe)s the robot\b", _asked, told)
     told = re.sub(r"\b([Ss]hould|[Mm]ust) the robot\b", r"\1 I", told)

@@ -30,13 +30,19 @@ def bound(word: str) -> int:
 
 def suggest(word: str, vocabulary: Iterable[str], most: int = 3) -> tuple[str, ...]:
     """Known words that ``word`` may have been meant for, the nearest first, then by spelling."""
+    return _near(word, frozenset(vocabulary))[:most]
+
+
+@lru_cache(maxsize=1 << 10)
+def _near(word: str, vocabulary: frozenset[str]) -> tuple[str, ...]:
+    """All words within the bound, the nearest first; a scene's words are asked about often."""
     limit = bound(word)
     near = (
         (distance(word, known), known)
-        for known in set(vocabulary)
+        for known in vocabulary
         if known != word and abs(len(known) - len(word)) <= limit and len(known) > 2
     )
-    return tuple(known for errors, known in sorted(near) if errors <= limit)[:most]
+    return tuple(known for errors, known in sorted(near) if errors <= limit)
 
 
 def suggest_verb(word: str, verbs: Iterable[str]) -> tuple[str, ...]:
@@ -45,9 +51,12 @@ def suggest_verb(word: str, verbs: Iterable[str]) -> tuple[str, ...]:
     Verbs are few, and an unknown one is always asked about: so "opn" may be "open",
     where a short noun is left alone.
     """
-    known = sorted(set(verbs))
-    longer = [one for one in known if len(one) == len(word) + 1 and distance(word, one) == 1]
-    return suggest(word, known) or tuple(longer[:3] if len(word) == _SHORT else ())
+    known = frozenset(verbs)
+    near = suggest(word, known)
+    if near or len(word) != _SHORT:
+        return near
+    longer = [one for one in sorted(known) if len(one) == _SHORT + 1 and distance(word, one) == 1]
+    return tuple(longer[:3])
 
 
 _SHORT = 3

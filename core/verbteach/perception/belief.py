@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 from verbteach.world.fluents import Fluent, State
@@ -54,7 +54,7 @@ class Belief:
     @classmethod
     def certain(cls, state: State, exclusive: tuple[Exclusivity, ...] = ()) -> Belief:
         """The belief of one who sees everything."""
-        return cls.of(dict.fromkeys(state, 1.0), exclusive)
+        return _certain(state, exclusive)
 
     def __getitem__(self, fluent: Fluent) -> float:
         return self.confidences.get(fluent, 0.0)
@@ -126,6 +126,12 @@ class Belief:
     def _groups(self, fluent: Fluent) -> list[tuple[int, str]]:
         named = ((index, rule.group(fluent)) for index, rule in enumerate(self.exclusive))
         return [(index, group) for index, group in named if group is not None]
+
+
+@lru_cache(maxsize=256)
+def _certain(state: State, exclusive: tuple[Exclusivity, ...]) -> Belief:
+    """Beliefs are values: who sees truly thinks the same of the same state each time."""
+    return Belief.of(dict.fromkeys(state, 1.0), exclusive)
 
 
 def entropy(probability: float) -> float:

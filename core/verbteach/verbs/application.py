@@ -239,11 +239,12 @@ class _Arguments:
             found: dict[tuple[str | None, ...], _Chosen] = {}
             for objects, probability in self._belief:
                 filled = self._filled(objects, old)
+                share = probability / len(filled) if filled else 0.0
                 for full in filled:
-                    key = tuple(o if i in needed else None for i, o in enumerate(full))
-                    before = found.get(key) or _Chosen(key, objects, 0.0)
-                    total = before.probability + probability / len(filled)
-                    found[key] = before._replace(probability=total)
+                    key = tuple([o if i in needed else None for i, o in enumerate(full)])
+                    before = found.get(key)
+                    total = share if before is None else before.probability + share
+                    found[key] = _Chosen(key, before.grounding if before else objects, total)
             self._known[needed, old] = tuple(found.values())
         return self._known[needed, old]
 
@@ -268,9 +269,14 @@ class _Things:
         self._here = surroundings.affordances
         self._names = frozenset(self._here)
         self._most = replace_missing
-        self._alike: dict[frozenset[str], list[str]] = defaultdict(list)
-        for thing in sorted(surroundings.affordances):
-            self._alike[surroundings.affordances[thing]].append(thing)
+
+    @cached_property
+    def _alike(self) -> dict[frozenset[str], list[str]]:
+        """The things here by what they afford, each list sorted."""
+        found: dict[frozenset[str], list[str]] = defaultdict(list)
+        for thing in sorted(self._here):
+            found[self._here[thing]].append(thing)
+        return found
 
     def choices(
         self, hypothesis: Lifted, binding: Binding
