@@ -94,6 +94,22 @@ def test_a_grounding_answer_changes_goals_at_once() -> None:
     assert not any(isinstance(act, NpGrdYnq) and act.np == "box" for act in acts(second))
 
 
+def test_answers_that_may_be_wrong_settle_nothing() -> None:
+    """Four fifths sure: a no to one of two equal boxes leaves it one chance in five."""
+    state = command(parameters=InquiryParameters(trust=0.8))
+    before = dict(state.prior["box"])
+    after = state.after(NpGrdYnq("box", "b1"), NO)
+    assert before["b1"] == before["b2"]
+    assert dict(after.prior["box"])["b1"] == pytest.approx(0.2)
+    assert not after.prior.settled
+    shown = demonstration(InquiryParameters(trust=0.8))
+    question = PredChangeYnq(Literal(lit("l1")))
+    chance = shown.after(question, YES).change.table[question.literal]
+    assert chance == pytest.approx(0.3 * 0.8 / (0.3 * 0.8 + 0.7 * 0.2))
+    (bulk,) = [act for act in acts(shown) if isinstance(act, BulkNpGrdYnq)]
+    assert not shown.after(bulk, YES).grounding.settled
+
+
 def test_experience_moves_the_grounding_belief() -> None:
     """Boxes were put on t2 before, so t2 is likelier to be meant than t1."""
     assert dict(command().grounding["table"])["t2"] > 0.5

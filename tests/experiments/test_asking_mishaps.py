@@ -103,7 +103,6 @@ def test_asking_on_from_silence_is_what_manual_does() -> None:
         assert quiet.outcomes.further == len(asking.questions)
         assert asking.outcomes.further == 0
     assert not manual.of(Cause.EARLY)
-    assert silent.of(Cause.EARLY)
     for mend in ("asked_on", "answered", "goal"):
         assert silent.score(mend).sji > silent.score("own").sji
     with pytest.raises(ValueError, match="'luck'"):

@@ -45,6 +45,17 @@ def test_an_answer_settles_its_fluent_and_nothing_else(
     assert belief[fluent] == dict(belief.items()).get(fluent, 0.0)
 
 
+@given(beliefs((PLACE,)), fluents, st.booleans(), st.floats(0.55, 0.95))
+def test_an_answer_that_may_be_wrong_moves_its_fluent_alone_and_its_contrary_takes_it_back(
+    belief: Belief, fluent: Fluent, truth: bool, trust: float
+) -> None:
+    after = belief.answered(fluent, truth, trust)
+    moved = after[fluent] - belief[fluent]
+    assert moved * (1 if truth else -1) >= 0.0
+    assert {f for f, c in after.items() if c != belief[f]} <= {fluent}
+    assert after.answered(fluent, not truth, trust)[fluent] == pytest.approx(belief[fluent])
+
+
 @given(beliefs((PLACE,)), fluents)
 def test_a_yes_takes_the_rivals_away(belief: Belief, fluent: Fluent) -> None:
     rivals = belief.rivals(fluent)

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from itertools import product
 
@@ -24,6 +25,7 @@ from verbteach.verbs.lifting import lift
 from verbteach.verbs.pool import GoalPool, PoolParameters, PoolSource
 from verbteach.verbs.resemblance import Said
 from verbteach.verbs.space import Demonstration, FrameKey
+from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.fluents import Goal, Literal, State
 
 TOY = Toy(("b1", "b2"), ("t1", "t2"), ("l1", "l2"))
@@ -50,11 +52,9 @@ def memory(goals: tuple[Goal, ...] = OFFERED) -> Memory:
 
 def source(
     known: Memory, said: Said = LIGHT, joint: tuple[tuple[str, ...], ...] = (("l1",), ("l2",)),
-    parameters: PoolParameters | None = None,
+    parameters: PoolParameters | None = None, surroundings: Surroundings = TOY.surroundings,
 ) -> PoolSource:  # fmt: skip
-    return PoolSource(
-        Analogies(said, joint, TOY.surroundings), known, parameters or PoolParameters()
-    )
+    return PoolSource(Analogies(said, joint, surroundings), known, parameters or PoolParameters())
 
 
 def pool(known: Memory | None = None, state: State = frozenset()) -> GoalPool:
@@ -112,13 +112,46 @@ def test_answers_settle_their_literals_in_every_hypothesis(truths: list[bool]) -
     assert found.probabilities.sum() == pytest.approx(1.0)
 
 
-def test_a_teacher_who_errs_shifts_weights_and_edits_nothing() -> None:
-    soft = PoolParameters(reliability=0.8)
-    found = source(memory(), parameters=soft).pool(frozenset(), np.array([0.5, 0.5]))
-    after = found.answered(0, not found.marginals[0] > 0.5)
-    assert np.array_equal(after.truths, found.truths)
-    assert 0.0 < after.marginals[0] < 1.0
-    assert after.marginals[0] != pytest.approx(found.marginals[0])
+def test_a_teacher_who_errs_is_weighed_as_bayes_has_it() -> None:
+    sure = pool()
+    soft = replace(sure, parameters=PoolParameters(reliability=0.8))
+    before = np.where(soft.truths[:, 0], soft.parameters.fit, 1.0 - soft.parameters.fit)
+    for said, right in ((True, 0.8), (False, 0.2)):
+        after = soft.answered(0, said)
+        heard = before * right + (1.0 - before) * (1.0 - right)
+        assert after.probabilities == pytest.approx(
+            sure.probabilities * heard / float(sure.probabilities @ heard)
+        )
+        assert after.truths[:, 0] == pytest.approx(before * right / heard)
+        assert np.array_equal(after.truths[:, 1:], soft.truths[:, 1:])
+    assert soft.answered(0, True).marginals[0] > soft.answered(0, False).marginals[0]
+
+
+def test_a_teacher_hardly_ever_wrong_is_believed_like_one_who_never_is() -> None:
+    sure, nearly = pool(), replace(pool(), parameters=PoolParameters(reliability=1 - 1e-9))
+    for number, said in ((0, True), (2, False)):
+        sure, nearly = sure.answered(number, said), nearly.answered(number, said)
+        assert nearly.goals(1)[0][0] == sure.goals(1)[0][0]
+        assert nearly.goals(1)[0][1] == pytest.approx(sure.goals(1)[0][1], abs=1e-5)
+        assert nearly.certainty == pytest.approx(sure.certainty, abs=1e-6)
+
+
+def test_an_outcome_is_as_likely_liked_as_the_hypotheses_say() -> None:
+    found = pool()
+    hypotheses = [
+        (found.goal(r), p) for r, p in zip(found.truths, found.probabilities, strict=True)
+    ]
+    beside = Literal(lit("nowhere"))
+    for outcome in (found.goals(1)[0][0], found.goals(1)[0][0] | {beside}, frozenset({beside})):
+        expected = sum(p * len(outcome & t) / len(outcome | t) for t, p in hypotheses)
+        assert found.likeness(outcome) == pytest.approx(float(expected), abs=1e-6)
+
+
+def test_what_no_action_can_bring_about_is_not_proposed_and_makes_an_example_less_likely() -> None:
+    dark = replace(TOY.surroundings, made=frozenset({lit("l1"), on("b1", "t2")}), ended=frozenset())
+    found = source(memory(), surroundings=dark).pool(frozenset(), np.array([0.5, 0.5]))
+    assert set(found.literals) <= {Literal(lit("l1")), Literal(on("b1", "t2"))}
+    assert set(found.literals) < set(pool().literals)
 
 
 def test_the_best_goal_has_the_highest_expected_jaccard_index_of_all_conjunctions_offered() -> None:

@@ -119,15 +119,16 @@ class ExecutionInquiry:
             return replace(self, asked=asked)
         match act:
             case NpGrdWhq() | NpGrdYnq():
-                prior = settle(self.prior, act, reply)
+                prior = settle(self.prior, act, reply, self.parameters.trust)
                 chances = joint_chances(prior, self.pool.groundings)
                 return replace(self, prior=prior, pool=self.pool.regrounded(chances), asked=asked)
             case GoalPredYnq(literal=literal):
-                number = self.pool.literals.index(literal)
+                number = self.pool.numbers[literal]
                 pool = self.pool.answered(number, reply.label is Label.YES)
                 return replace(self, pool=pool, asked=asked)
             case EnvPredYnq(fluent=fluent):
-                belief = self.belief.answered(fluent, reply.label is Label.YES)
+                yes = reply.label is Label.YES
+                belief = self.belief.answered(fluent, yes, self.parameters.trust)
                 return replace(self.believing(belief), asked=asked)
         raise TypeError(f"{act!r} is no question of this phase")
 

@@ -58,6 +58,10 @@ class InquiryParameters:
     expected Jaccard index by ``object_gain`` or more: below that the question
     cost as much as one about the goal and brought less. ``cap`` ends the
     questions of a phase.
+    ``trust`` is how likely the robot takes a yes or no to be right: below 1 an
+    answer makes things likelier and settles nothing. A plan relies on nothing
+    believed with less than the confidence ``caution`` where a way that is
+    hardly longer does without; 0 for eyes that see only what is there.
     ``goal_relevance`` adds the act that the paper's Table 2 lacks.
     """
 
@@ -69,6 +73,8 @@ class InquiryParameters:
     doubt: float = 0.02
     environment_doubt: float = 0.3
     cap: int = 12
+    trust: float = 1.0
+    caution: float = 0.0
     goal_relevance: bool = False
 
 
@@ -98,21 +104,33 @@ def which_features(grounding: GroundingBelief, phrase: str) -> dict[str, float]:
     }
 
 
-def settle(grounding: GroundingBelief, act: NpGrdWhq | NpGrdYnq, reply: Reply) -> GroundingBelief:
+def settle(
+    grounding: GroundingBelief, act: NpGrdWhq | NpGrdYnq, reply: Reply, trust: float = 1.0
+) -> GroundingBelief:
     """The grounding after a reply: a yes makes a probability 1, a no 0 (section 4.3).
 
     A wh-question may be answered with several objects, each of which is right.
+    A yes or no that is right with the probability ``trust`` only shifts probabilities.
     """
     if reply.label is Label.OBJECTS and reply.objects:
         settled = grounding.restrict(act.np, dict.fromkeys(reply.objects, 1.0))
         return GroundingBelief(settled.phrases, settled.settled | {act.np})
     if isinstance(act, NpGrdWhq):
         return grounding
+    if trust < 1.0 and reply.label in {Label.YES, Label.NO}:
+        return shifted(grounding, act.np, act.object, trust if reply.positive else 1.0 - trust)
     if reply.label is Label.YES:
         return grounding.confirm(act.np, act.object)
     if reply.label is Label.NO and len(grounding[act.np]) > 1:
         return grounding.deny(act.np, act.object)
     return grounding
+
+
+def shifted(grounding: GroundingBelief, phrase: str, thing: str, right: float) -> GroundingBelief:
+    """The grounding after an answer that is ``right`` likely where the phrase means the thing."""
+    weights = {o: p * (right if o == thing else 1.0 - right) for o, p in grounding[phrase]}
+    moved = grounding.restrict(phrase, weights)
+    return GroundingBelief(moved.phrases, grounding.settled)
 
 
 def joint_chances(

@@ -32,6 +32,7 @@ from verbteach.dialogue.inquiry import (
     doubt,
     grounding_questions,
     settle,
+    shifted,
 )
 from verbteach.verbs.seen_change import SeenChange
 from verbteach.world.fluents import Goal, Literal
@@ -81,12 +82,14 @@ class LearningInquiry:
             return replace(self, asked=asked)
         match act:
             case NpGrdWhq() | NpGrdYnq():
-                return replace(self, grounding=settle(self.grounding, act, reply), asked=asked)
+                grounding = settle(self.grounding, act, reply, self.parameters.trust)
+                return replace(self, grounding=grounding, asked=asked)
             case BulkNpGrdYnq(pairs=pairs):
-                grounding = _settled_all(self.grounding, pairs, reply)
+                grounding = _settled_all(self.grounding, pairs, reply, self.parameters.trust)
                 return replace(self, grounding=grounding, asked=asked)
             case PredChangeYnq(literal=literal):
-                change = self.change.answered(literal, reply.label is Label.YES)
+                yes = reply.label is Label.YES
+                change = self.change.answered(literal, yes, self.parameters.trust)
                 return replace(self, change=change, asked=asked)
             case GoalRelevantYnq(literal=literal):
                 gone = frozenset() if reply.label is Label.YES else frozenset({literal})
@@ -197,11 +200,13 @@ def shown_grounding(
 
 
 def _settled_all(
-    grounding: GroundingBelief, pairs: Sequence[tuple[str, str]], reply: Reply
+    grounding: GroundingBelief, pairs: Sequence[tuple[str, str]], reply: Reply, trust: float
 ) -> GroundingBelief:
     """A yes settles every pair; a no says only that not all are right, so doubts each a little."""
     for phrase, thing in pairs:
-        if reply.label is Label.YES:
+        if reply.label is Label.YES and trust < 1.0:
+            grounding = shifted(grounding, phrase, thing, trust)
+        elif reply.label is Label.YES:
             grounding = grounding.confirm(phrase, thing)
         else:
             weights = {o: p * (0.5 if o == thing else 1.0) for o, p in grounding[phrase]}

@@ -45,7 +45,7 @@ class Setting:
     @cached_property
     def surroundings(self) -> Surroundings:
         """What the verb learner knows of the scene."""
-        return Surroundings.of(self.scene)
+        return Surroundings.of_task(self.task)
 
 
 # Raises UnknownSceneError. Handed to the robot, which opens no file itself.

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from verbteach.dialogue.execution_inquiry import ExecutionInquiry
-from verbteach.experiments.interactive import Carried
+from verbteach.experiments.carrying_out import Carried
 from verbteach.experiments.simulated_human import SimulatedHuman
 from verbteach.policy.asking_policy import AskingPolicy
 from verbteach.verbs.examples import Memory

@@ -13,7 +13,8 @@ from verbteach.dialogue.execution_inquiry import ExecutionInquiry
 from verbteach.dialogue.inquiry import Label, Reply
 from verbteach.dialogue.rewards import Rewards
 from verbteach.experiments.asked_command import AskedCommand
-from verbteach.experiments.interactive import carry_out, hold
+from verbteach.experiments.carrying_out import carry_out
+from verbteach.experiments.interactive import hold
 from verbteach.experiments.judging import Score
 from verbteach.experiments.metrics import ied, jaccard
 from verbteach.experiments.sight import stream

@@ -10,7 +10,7 @@ import numpy as np
 from verbteach.dialogue.acts import RobotAct
 from verbteach.dialogue.inquiry import Label
 from verbteach.experiments.asked_command import AskedCommand
-from verbteach.experiments.interactive import carry_out
+from verbteach.experiments.carrying_out import carry_out
 from verbteach.policy.asking_policy import ENDING
 
 

@@ -11,7 +11,7 @@ from verbteach.dialogue.acts import RobotAct, SelectHypo
 from verbteach.dialogue.execution_inquiry import ExecutionInquiry
 from verbteach.dialogue.promise import Promise, Sureness, held_to
 from verbteach.experiments.asked_command import AskedCommand
-from verbteach.experiments.interactive import carry_out
+from verbteach.experiments.carrying_out import carry_out
 from verbteach.experiments.sight import stream
 from verbteach.policy.asking_policy import ENDING
 from verbteach.policy.courses import Course, Outcome

@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
-from verbteach.experiments.interactive import carry_out, hold
+from verbteach.experiments.carrying_out import carry_out
+from verbteach.experiments.interactive import hold
 from verbteach.experiments.interactive_bench import Bench
 from verbteach.experiments.interactive_protocol import Tested
 from verbteach.experiments.interactive_training import TrainingParameters

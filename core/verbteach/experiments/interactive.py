@@ -8,7 +8,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import islice
 from typing import Generic, Protocol, Self, TypeVar
 
 import numpy as np
@@ -18,10 +17,10 @@ from verbteach.dialogue.decision import Candidate, Decision
 from verbteach.dialogue.execution_inquiry import ExecutionInquiry
 from verbteach.dialogue.inquiry import Reply
 from verbteach.dialogue.rewards import Rewards
-from verbteach.experiments.metrics import ied
+from verbteach.experiments.carrying_out import Carried, carry_out
 from verbteach.experiments.simulated_human import SimulatedHuman
 from verbteach.policy.asking_policy import ENDING, AskingPolicy
-from verbteach.world.plan import Action, Plan
+from verbteach.world.plan import Action
 
 MOST = 8
 """So many questions are traced at most."""
@@ -97,33 +96,6 @@ def judged(dialogue: Dialogue[Phase], right: float, rewards: Rewards) -> Dialogu
     yes, no = rewards.of(name, positive=True), rewards.of(name, positive=False)
     earned = no + right * (yes - no)
     return replace(dialogue, turns=(*dialogue.turns[:-1], Turn(last.decision, earned)))
-
-
-@dataclass(frozen=True)
-class Carried:
-    """How a command was carried out: the plan and its two scores."""
-
-    plan: tuple[Action, ...]
-    ied: float
-    sji: float
-
-
-def carry_out(
-    inquiry: ExecutionInquiry,
-    human: SimulatedHuman,
-    gold: Sequence[Action],
-    attempts: int = 6,
-) -> Carried:
-    """Plan once on what is believed and run the plan in the true world.
-
-    A goal without a plan, or with an empty one, gives way to the next best, up
-    to ``attempts`` of them. The plan ends at the first action that cannot be done.
-    """
-    for goal, _ in islice(inquiry.pool.ranked_goals(), attempts):
-        answer = human.room.planner.plan(inquiry.believed, goal)
-        if isinstance(answer, Plan) and answer.actions:
-            return Carried(answer.actions, ied(gold, answer.actions), human.score(answer.actions))
-    return Carried((), ied(gold, ()), human.score(()))
 
 
 def asked_on(

@@ -40,11 +40,13 @@ class BenchParameters:
 
     ``groundings``: at most that many joint groundings. ``oracle`` narrows the
     candidates to what the demonstration changed, also for new commands, which
-    leaks the outcome: a result must say so.
+    leaks the outcome: a result must say so. ``caution`` is that of eyes that
+    see phantoms (see ``InquiryParameters``); others see nothing that is not there.
     """
 
     groundings: int = 24
     oracle: bool = False
+    caution: float = 0.99
     pool: PoolParameters = field(default_factory=PoolParameters)
     inquiry: InquiryParameters = field(default_factory=InquiryParameters)
 
@@ -104,7 +106,7 @@ class Bench:
     ) -> ExecutionInquiry:
         """The execution phase of an instance's command, nothing asked yet.
 
-        ``trust`` is how likely the robot takes an answer about the goal to be right.
+        ``trust`` is how likely the robot takes a yes or no to be right.
         """
         joint, grounding = self._grounded(instance, memory)
         pool = replace(self.parameters.pool, reliability=trust)
@@ -115,7 +117,7 @@ class Bench:
             room.task.static,
             self._met(instance, sight),
             grounding,
-            self.parameters.inquiry,
+            self._asking(sight, trust),
             self._foresight(instance),
         )
 
@@ -156,12 +158,19 @@ class Bench:
             looks.met[instance.id] = _changing(sight.met(instance, room), room)
         return looks.met[instance.id]
 
-    def demonstration(self, instance: Instance, sight: Sight) -> LearningInquiry:
+    def demonstration(
+        self, instance: Instance, sight: Sight, trust: float = 1.0
+    ) -> LearningInquiry:
         """The learning phase after an instance's demonstration, nothing asked yet."""
         looks = self._looks_of(sight)
         if instance.id not in looks.shown:
             looks.shown[instance.id] = self._shown(instance, sight)
-        return looks.shown[instance.id]
+        shown = looks.shown[instance.id]
+        return shown if trust == 1.0 else replace(shown, parameters=self._asking(sight, trust))
+
+    def _asking(self, sight: Sight, trust: float) -> InquiryParameters:
+        caution = self.parameters.caution if sight.noise.phantoms else 0.0
+        return replace(self.parameters.inquiry, trust=trust, caution=caution)
 
     def _looks_of(self, sight: Sight) -> _Looks:
         kept = self._looks

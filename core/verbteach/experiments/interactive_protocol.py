@@ -22,8 +22,9 @@ from verbteach.dialogue.acts import IncludeFluent
 from verbteach.dialogue.execution_inquiry import ExecutionInquiry
 from verbteach.dialogue.learning_inquiry import LearningInquiry
 from verbteach.experiments.asked_command import AskedCommand, Witness, unwitnessed
+from verbteach.experiments.carrying_out import Carried, carry_out
 from verbteach.experiments.instance_split import InstanceSplit
-from verbteach.experiments.interactive import Carried, Dialogue, asked_on, carry_out, hold
+from verbteach.experiments.interactive import Dialogue, asked_on, hold
 from verbteach.experiments.interactive_bench import Bench
 from verbteach.experiments.interactive_training import (
     Heard,
@@ -62,8 +63,8 @@ class Config:
     shares of the lessons that teach verbs. ``trace`` scores each test command
     after every question, asked on beyond the policy's own end. ``keep_wrong``
     keeps goals that the human rejected. ``trust`` is the probability with
-    which the robot takes an answer about the goal for right: below
-    ``PoolParameters.edits_from`` it weighs the hypotheses and settles nothing.
+    which the robot takes a yes or no for right: below 1 an answer makes things
+    likelier and settles nothing.
     """
 
     policy: str = "rl"
@@ -335,7 +336,7 @@ class _Run:
 
     def _demonstration_practice(self, instance: Instance) -> Practice[LearningInquiry]:
         human = self._human(instance)
-        start = self.bench.demonstration(instance, self.sight)
+        start = self.bench.demonstration(instance, self.sight, self.config.trust)
         return Practice(start, human, lambda held: float(human.right_goal(held.state.goal)))
 
     def _command_practice(self, instance: Instance, memory: Memory) -> Practice[ExecutionInquiry]:
@@ -356,7 +357,7 @@ class _Run:
         right = 0
         for number, instance in enumerate(self.lessons, start=1):
             human = self._human(instance)
-            start = self.bench.demonstration(instance, self.sight)
+            start = self.bench.demonstration(instance, self.sight, self.config.trust)
             rng = self.draws("acquire", instance.id)
             held = hold(start, policy, human, self.config.training.priced, rng)
             questions.update(held.questions)

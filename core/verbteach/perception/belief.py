@@ -75,9 +75,16 @@ class Belief:
         above = [f for f, confidence in self.items() if confidence > threshold]
         return frozenset(above) - self._beaten(above)
 
-    def answered(self, fluent: Fluent, truth: bool) -> Belief:
-        """The belief after a yes (the fluent at 1, its rivals at 0) or a no (at 0)."""
+    def answered(self, fluent: Fluent, truth: bool, trust: float = 1.0) -> Belief:
+        """The belief after a yes (the fluent at 1, its rivals at 0) or a no (at 0).
+
+        An answer that is right only with the probability ``trust`` moves the
+        fluent's confidence by Bayes' rule and leaves its rivals alone.
+        """
         changed = dict(self.confidences)
+        if trust < 1.0:
+            changed[fluent] = posterior(self[fluent], trust if truth else 1.0 - trust)
+            return Belief.of(changed, self.exclusive)
         if truth:
             changed.update(dict.fromkeys(self.rivals(fluent), 0.0))
         changed[fluent] = float(truth)
@@ -132,6 +139,17 @@ class Belief:
 def _certain(state: State, exclusive: tuple[Exclusivity, ...]) -> Belief:
     """Beliefs are values: who sees truly thinks the same of the same state each time."""
     return Belief.of(dict.fromkeys(state, 1.0), exclusive)
+
+
+def posterior(prior: float, said: float) -> float:
+    """The probability of what was answered about; the answer is ``said`` likely if it is true.
+
+    The answer is one minus that likely if it is false; an answer that cannot err settles.
+    """
+    yes, no = prior * said, (1.0 - prior) * (1.0 - said)
+    if said in (0.0, 1.0) or yes + no == 0.0:
+        return said if said in (0.0, 1.0) else prior
+    return yes / (yes + no)
 
 
 def entropy(probability: float) -> float:

@@ -30,8 +30,9 @@ class Transfer(NamedTuple):
 
     ``literals`` are literal numbers and ``row`` the row each belongs to;
     ``grounding`` is each row's joint grounding, ``share`` its share of that
-    grounding's weight, ``alike`` (rows x 2) how far the very same objects and
-    the same kinds of objects are meant.
+    grounding's weight, ``alike`` (rows x 3) how far the very same objects and
+    the same kinds of objects are meant, and how much of the change is possible
+    here. What no action could bring about is left out of ``literals``.
     """
 
     literals: Ints
@@ -128,7 +129,7 @@ class Analogies:
         shown, known = example.demonstration, self.surroundings.affordances
         literals: list[int] = []
         rows: list[int] = []
-        kept: list[tuple[int, float, float, float]] = []
+        kept: list[tuple[int, float, float, float, float]] = []
         if not all(thing in known for thing in example.binding):
             return NO_TRANSFER
         mould = mould_of(example.change)
@@ -139,7 +140,8 @@ class Analogies:
                 numbers = self._numbers(goal)
                 literals += numbers
                 rows += [len(kept)] * len(numbers)
-                kept.append((index, share, same[index], kinds))
+                possible = len(numbers) / max(1, len(goal))
+                kept.append((index, share, same[index], kinds, possible))
         return _transfer(literals, rows, kept)
 
     def _ways_of(self, shown: tuple[str, ...]) -> list[_Way]:
@@ -159,10 +161,14 @@ class Analogies:
         return same / max(1, len(new))
 
     def _numbers(self, goal: Goal) -> list[int]:
-        """The numbers of a goal's literals, in their order: many examples come to the same goal."""
+        """The numbers of what can be brought about of a goal, in the literals' order.
+
+        They are remembered: many examples come to the same goal.
+        """
         numbers = self._of_goal.get(goal)
         if numbers is None:
-            numbers = self._of_goal[goal] = [self.number(literal) for literal in sorted(goal)]
+            possible = filter(self.surroundings.possible, sorted(goal))
+            numbers = self._of_goal[goal] = [self.number(literal) for literal in possible]
         return numbers
 
     def _same_objects(self, objects: tuple[str, ...], shown: Demonstration) -> float:
@@ -176,13 +182,13 @@ NO_TRANSFER = Transfer(
     np.zeros(0, np.int64),
     np.zeros(0, np.int64),
     np.zeros(0),
-    np.zeros((0, 2)),
+    np.zeros((0, 3)),
 )
 """Of an example that cannot be bound: one for all, since most of them cannot in most rooms."""
 
 
 def _transfer(
-    literals: list[int], rows: list[int], kept: list[tuple[int, float, float, float]]
+    literals: list[int], rows: list[int], kept: list[tuple[int, float, float, float, float]]
 ) -> Transfer:
     if not kept:
         return NO_TRANSFER

@@ -6,7 +6,7 @@ the sum of its supports' weights times the probability of their groundings,
 times the likelihood of the answers so far. What to do is chosen by the
 expected Jaccard index (minimum Bayes risk), and not only among the hypotheses:
 a conjunction of what most of them want is a candidate too, and an answer edits
-all of them. It knows no question's wording and no policy.
+all of them, as far as the teacher is believed. It knows no question's wording and no policy.
 """
 
 from __future__ import annotations
@@ -43,16 +43,14 @@ class PoolParameters:
     ``examples`` are bound at most, the most alike first. ``fit`` is the
     probability that a right hypothesis agrees with a right answer (hypotheses
     are near the truth, rarely it); ``reliability`` that the teacher answers
-    rightly. Below ``edits_from`` an answer only shifts weights and does not
-    edit the hypotheses. ``kept`` hypotheses and ``choices`` of them take part
-    in a decision; ``thresholds`` make conjunctions of the likely literals.
+    rightly. ``kept`` hypotheses and ``choices`` of them take part in a
+    decision; ``thresholds`` make conjunctions of the likely literals.
     """
 
     kernel: Kernel = field(default_factory=Kernel)
     examples: int = 150
     fit: float = 0.9
     reliability: float = 1.0
-    edits_from: float = 0.95
     kept: int = 128
     choices: int = 40
     thresholds: tuple[float, ...] = (0.2, 0.3, 0.4, 0.5)
@@ -146,7 +144,8 @@ class Decision:
 class GoalPool:
     """A belief over hypotheses; values never change.
 
-    ``truths`` (hypotheses x literals) are edited by the answers; ``source``,
+    ``truths`` (hypotheses x literals) are edited by the answers: what was said
+    by a teacher who may err is there as a probability. ``source``,
     ``grounding`` and ``weight`` describe supports; ``chances`` are the joint
     groundings' probabilities; ``answers`` what was answered, by literal number.
     """
@@ -154,7 +153,7 @@ class GoalPool:
     parameters: PoolParameters
     literals: tuple[Literal, ...]
     groundings: tuple[tuple[str, ...], ...]
-    truths: Bools
+    truths: Bools | Floats
     source: Ints
     grounding: Ints
     weight: Floats
@@ -199,11 +198,10 @@ class GoalPool:
         chances = self.probabilities[order]
         likely = self.marginals > np.array(self.parameters.thresholds)[:, None]
         singles = truths.astype(np.float32)
-        choices = np.concatenate([singles[: self.parameters.choices], likely.astype(np.float32)])
+        first = truths[: self.parameters.choices] > 0.5
+        choices = np.concatenate([first, likely]).astype(np.float32)
         shared = choices @ singles.T
-        sizes = singles.sum(1)
-        chosen = np.concatenate([sizes[: self.parameters.choices], likely.sum(1, np.float32)])
-        union = chosen[:, None] + sizes - shared
+        union = choices.sum(1)[:, None] + singles.sum(1) - shared
         return Decision(singles, chances / chances.sum(), choices, shared, union, order)
 
     def ranked_goals(self) -> Iterator[tuple[Goal, float]]:
@@ -228,16 +226,16 @@ class GoalPool:
 
     def answered(self, literal: int, truth: bool) -> GoalPool:
         """The belief after the teacher said whether a literal should hold."""
-        agrees = self.truths[:, literal] == truth
-        trust = self.parameters.agreement
-        truths = self.truths
-        if self.parameters.reliability >= self.parameters.edits_from:
-            truths = truths.copy()
-            truths[:, literal] = truth
+        fit, reliability = self.parameters.fit, self.parameters.reliability
+        wanted = np.where(self.truths[:, literal] > 0.5, fit, 1.0 - fit)
+        said = wanted * (reliability if truth else 1.0 - reliability)
+        likely = said + (1.0 - wanted) * (1.0 - reliability if truth else reliability)
+        truths = self.truths.copy() if reliability == 1.0 else self.truths.astype(np.float64)
+        truths[:, literal] = said / likely
         return replace(
             self,
             truths=truths,
-            likelihood=self.likelihood * np.where(agrees, trust, 1.0 - trust),
+            likelihood=self.likelihood * likely,
             answers=(*self.answers, (literal, truth)),
         )
 
@@ -275,8 +273,25 @@ class GoalPool:
     @cached_property
     def certainty(self) -> float:
         """The probability that the best goal is exactly what is meant."""
-        best = self.decision.jaccard[self.decision.order[0]]
-        return float(self.decision.chances[best > 0.999].sum())
+        now = self.decision
+        if self.truths.dtype == np.bool_:
+            return float(now.chances[now.jaccard[now.order[0]] > 0.999].sum())
+        best = now.choices[now.order[0]] > 0
+        return float(now.chances @ np.where(best, now.truths, 1.0 - now.truths).prod(1))
+
+    def likeness(self, outcome: Goal) -> float:
+        """The expected Jaccard index of what an execution would bring about."""
+        now, number = self.decision, self.numbers
+        row = np.zeros(len(self.literals), dtype=np.float32)
+        row[[number[literal] for literal in outcome if literal in number]] = 1.0
+        shared = now.truths @ row
+        union = len(outcome) + now.truths.sum(1) - shared
+        return float(np.where(union > 0, shared / np.maximum(union, 1e-9), 0.0) @ now.chances)
+
+    @cached_property
+    def numbers(self) -> Mapping[Literal, int]:
+        """The literals' numbers."""
+        return {literal: number for number, literal in enumerate(self.literals)}
 
 
 class PoolSource:

@@ -29,8 +29,9 @@ class Kernel:
     Of the words: ``verb`` the same verb, ``arity`` as many phrases, ``slots``
     words shared phrase by phrase, ``words`` words shared with any phrase. Of
     the binding: ``objects`` phrases with a shared word that mean the very same
-    object, ``kinds`` arguments that afford the same, ``open`` the share of the
-    change that is still to be brought about.
+    object, ``kinds`` arguments that afford the same, ``possible`` the share of
+    the change that some action could bring about here, ``open`` the share that
+    is still to be brought about.
     """
 
     verb: float = 3.0
@@ -39,6 +40,7 @@ class Kernel:
     words: float = 2.0
     objects: float = 1.0
     kinds: float = 2.5
+    possible: float = 4.0
     open: float = 1.5
 
     @property
@@ -48,7 +50,7 @@ class Kernel:
 
     @property
     def of_bindings(self) -> NDArray[np.float64]:
-        """Weights of ``objects``, ``kinds`` and ``open``."""
+        """Weights of ``objects``, ``kinds``, ``possible`` and ``open``."""
         return np.array(astuple(self)[4:])
 
 

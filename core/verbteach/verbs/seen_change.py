@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from verbteach.perception.belief import Belief
+from verbteach.perception.belief import Belief, posterior
 from verbteach.world.fluents import Fluent, Goal, Literal
 from verbteach.world.plan import Action
 from verbteach.world.task import GroundAction, Task
@@ -42,10 +42,11 @@ class SeenChange:
             product *= max(chance, 1.0 - chance)
         return product
 
-    def answered(self, literal: Literal, truth: bool) -> SeenChange:
-        """The belief after a yes (1) or a no (0)."""
+    def answered(self, literal: Literal, truth: bool, trust: float = 1.0) -> SeenChange:
+        """The belief after a yes (1) or a no (0), by Bayes where it is right with ``trust``."""
+        said = trust if truth else 1.0 - trust
         return SeenChange(
-            tuple((one, float(truth) if one == literal else p) for one, p in self.chances)
+            tuple((one, posterior(p, said) if one == literal else p) for one, p in self.chances)
         )
 
 

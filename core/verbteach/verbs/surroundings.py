@@ -9,16 +9,23 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from verbteach.world.fluents import Literal, State
 from verbteach.world.scene import Scene
 from verbteach.world.task import Task
 
 
 @dataclass(frozen=True)
 class Surroundings:
-    """``static`` predicates never change; ``affordances`` maps each thing to its affordance set."""
+    """``static`` predicates never change; ``affordances`` maps each thing to its affordance set.
+
+    ``made`` and ``ended`` are the fluents that some action makes true or false;
+    where they are not known, anything may change.
+    """
 
     static: frozenset[str] = frozenset()
     affordances: Mapping[str, frozenset[str]] = field(default_factory=dict)
+    made: State | None = field(default=None, compare=False)
+    ended: State | None = field(default=None, compare=False)
 
     @classmethod
     def of(cls, scene: Scene) -> Surroundings:
@@ -35,7 +42,13 @@ class Surroundings:
         for predicate, args in sorted(task.static):
             if len(args) == 1 and args[0] in things:
                 things[args[0]].add(predicate)
-        return cls(task.domain.static, {o: frozenset(marks) for o, marks in things.items()})
+        marks = {o: frozenset(found) for o, found in things.items()}
+        return cls(task.domain.static, marks, *task.changeable)
+
+    def possible(self, literal: Literal) -> bool:
+        """Whether some action could bring the literal about."""
+        changes = self.made if literal.positive else self.ended
+        return changes is None or literal.fluent in changes
 
     def alike(self, marks: frozenset[str]) -> tuple[str, ...]:
         """The things with exactly this affordance set, sorted."""

@@ -126,6 +126,18 @@ class Task:
         """Return the ground action; none where names, types, static facts or equality forbid it."""
         return self._by_name.get(action)
 
+    @property
+    def changeable(self) -> tuple[State, State]:
+        """The fluents that some action makes true, and those that some action makes false."""
+        made = ended = 0
+        for action in self.actions:
+            made |= action.add
+            ended |= action.delete
+            for effect in action.conditional:
+                made |= effect.add
+                ended |= effect.delete
+        return frozenset(self.named(made)), frozenset(self.named(ended))
+
     def is_fluent(self, fluent: Fluent) -> bool:
         """Whether the domain has the predicate, for objects of these types."""
         predicate = self.domain.predicates.get(fluent.predicate)

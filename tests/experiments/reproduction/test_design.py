@@ -65,7 +65,9 @@ def test_what_is_reported_beside_is_asked_for() -> None:
     sections = design(extras=("phantom", "harder-teacher")).sections()
     assert {t.config.human.error for t in sections["harder_teacher"]} == {0.2}
     assert {t.config.trust for t in sections["harder_teacher"]} == {1.0}
-    assert {t.config.trust for t in sections["harder_teacher_doubted"]} == {0.9}
+    assert {t.config.trust for t in sections["harder_teacher_doubted"]} == {0.8}
+    cheaper = sections["harder_teacher_paper_prices"]
+    assert {(t.config.policy, t.config.training.price) for t in cheaper} == {("rl", 1.0)}
     main = {t.key for t in sections["main"]}
     assert main.isdisjoint(t.key for t in sections["harder_teacher"])
     for task in sections["phantom"]:

@@ -44,7 +44,8 @@ class Design:
     ``groups`` runs each has had its turn) or ``all`` (each run holds every
     environment out in turn). ``extras`` are reported beside: the harder
     reading of the noise, and a teacher of whose yes/no answers the share
-    ``error`` is wrong, first taken at their word and then with ``trust``.
+    ``error`` is wrong, first taken at their word, then with ``trust``, and so
+    once more with questions at the paper's prices.
     """
 
     environments: tuple[str, ...]
@@ -58,7 +59,7 @@ class Design:
     extras: tuple[str, ...] = ()
     about: Mapping[str, str] = field(default_factory=dict)
     error: float = 0.2
-    trust: float = 0.9
+    trust: float = 0.8
     base: Config = field(default_factory=Config)
 
     def __post_init__(self) -> None:
@@ -69,24 +70,34 @@ class Design:
         """The tasks, run by run so that a sweep broken off has whole runs."""
         found: Sections = {"main": list(self._main())}
         if "phantom" in self.extras:
-            found["phantom"] = [
-                self._task(run, policy, noise, replace(self.base, reading="phantom"))
-                for run, noise, policy in self._cells(("rl", "manual", "split", "she16"), NOISES)
-            ]
+            phantom = replace(self.base, reading="phantom")
+            found["phantom"] = self._beside(phantom, ("rl", "manual", "split", "she16"), NOISES)
         if "harder-teacher" in self.extras:
-            erring = replace(self._plain, human=replace(self.base.human, error=self.error))
-            for name, trust in (("harder_teacher", 1.0), ("harder_teacher_doubted", self.trust)):
-                found[name] = [
-                    self._task(run, policy, noise, replace(erring, trust=trust))
-                    for run, noise, policy in self._cells(("rl", "manual", "split"), (STUDIED,))
-                ]
+            found |= self._harder()
         if "paper-prices" in self.extras:
-            priced = replace(self._plain, training=replace(self.base.training, price=1.0))
-            found["paper_prices"] = [
-                self._task(run, policy, noise, priced)
-                for run, noise, policy in self._cells(("rl",), NOISES)
-            ]
+            found["paper_prices"] = self._beside(self._at_paper_prices, ("rl",), NOISES)
         return found
+
+    def _harder(self) -> Sections:
+        erring = replace(self._plain, human=replace(self.base.human, error=self.error))
+        doubted = replace(erring, trust=self.trust)
+        cheaper = replace(self._at_paper_prices, human=erring.human, trust=self.trust)
+        three = ("rl", "manual", "split")
+        return {
+            "harder_teacher": self._beside(erring, three, (STUDIED,)),
+            "harder_teacher_doubted": self._beside(doubted, three, (STUDIED,)),
+            "harder_teacher_paper_prices": self._beside(cheaper, ("rl",), (STUDIED,)),
+        }
+
+    def _beside(self, config: Config, policies: Sequence[str], noises: Sequence[str]) -> list[Task]:
+        return [
+            self._task(run, policy, noise, config)
+            for run, noise, policy in self._cells(policies, noises)
+        ]
+
+    @property
+    def _at_paper_prices(self) -> Config:
+        return replace(self._plain, training=replace(self.base.training, price=1.0))
 
     @property
     def _plain(self) -> Config:

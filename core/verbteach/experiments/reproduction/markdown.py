@@ -34,7 +34,8 @@ def markdown(document: Mapping[str, Any]) -> str:
 BESIDE: Mapping[str, str] = {
     "phantom": "The phantom reading of the noise",
     "harder_teacher": "A teacher of whose yes/no answers 20 % are wrong",
-    "harder_teacher_doubted": "The same teacher, whose answers about the goal are trusted at .9",
+    "harder_teacher_doubted": "The same teacher, whose answers are trusted at .8",
+    "harder_teacher_paper_prices": "Trusted so, and questions at the paper's prices",
     "paper_prices": "The learned policy at the paper's prices of questions",
 }
 
