@@ -128,7 +128,10 @@ def test_a_teacher_who_errs_is_weighed_as_bayes_has_it() -> None:
 
 
 def test_a_teacher_hardly_ever_wrong_is_believed_like_one_who_never_is() -> None:
-    sure, nearly = pool(), replace(pool(), parameters=PoolParameters(reliability=1 - 1e-9))
+    sure, nearly = (
+        pool(),
+        replace(pool(), parameters=PoolParameters(reliability=1 - 1e-9, edits_from=1.0)),
+    )
     for number, said in ((0, True), (2, False)):
         sure, nearly = sure.answered(number, said), nearly.answered(number, said)
         assert nearly.goals(1)[0][0] == sure.goals(1)[0][0]

@@ -43,14 +43,16 @@ class PoolParameters:
     ``examples`` are bound at most, the most alike first. ``fit`` is the
     probability that a right hypothesis agrees with a right answer (hypotheses
     are near the truth, rarely it); ``reliability`` that the teacher answers
-    rightly. ``kept`` hypotheses and ``choices`` of them take part in a
-    decision; ``thresholds`` make conjunctions of the likely literals.
+    rightly: from ``edits_from`` on an answer settles its literal, below that
+    it counts by Bayes' rule. ``kept`` hypotheses and ``choices`` of them take
+    part in a decision; ``thresholds`` make conjunctions of the likely literals.
     """
 
-    kernel: Kernel = field(default_factory=Kernel)
+    kernel: Kernel = field(default_factory=lambda: Kernel(possible=4.0))
     examples: int = 150
     fit: float = 0.9
     reliability: float = 1.0
+    edits_from: float = 0.95
     kept: int = 128
     choices: int = 40
     thresholds: tuple[float, ...] = (0.2, 0.3, 0.4, 0.5)
@@ -230,8 +232,9 @@ class GoalPool:
         wanted = np.where(self.truths[:, literal] > 0.5, fit, 1.0 - fit)
         said = wanted * (reliability if truth else 1.0 - reliability)
         likely = said + (1.0 - wanted) * (1.0 - reliability if truth else reliability)
-        truths = self.truths.copy() if reliability == 1.0 else self.truths.astype(np.float64)
-        truths[:, literal] = said / likely
+        settles = reliability >= self.parameters.edits_from
+        truths = self.truths.copy() if settles else self.truths.astype(np.float64)
+        truths[:, literal] = truth if settles else said / likely
         return replace(
             self,
             truths=truths,

@@ -30,8 +30,8 @@ class Kernel:
     words shared phrase by phrase, ``words`` words shared with any phrase. Of
     the binding: ``objects`` phrases with a shared word that mean the very same
     object, ``kinds`` arguments that afford the same, ``possible`` the share of
-    the change that some action could bring about here, ``open`` the share that
-    is still to be brought about.
+    the change that some action could bring about here (0 in records that do
+    not have it), ``open`` the share that is still to be brought about.
     """
 
     verb: float = 3.0
@@ -40,7 +40,7 @@ class Kernel:
     words: float = 2.0
     objects: float = 1.0
     kinds: float = 2.5
-    possible: float = 4.0
+    possible: float = 0.0
     open: float = 1.5
 
     @property
