@@ -45,7 +45,6 @@ def work(job: Job, folder: Path, tell: Tell) -> None:
     tell({"stage": "rooms", "done": 0, "total": 1, "figures": []})
     bench = _bench()
     tell({"stage": "rooms", "done": 1, "total": 1, "figures": []})
-    save_job(folder, job)
     if job.kind == TRAIN:
         _train(job, bench, folder, tell)
     else:
@@ -75,6 +74,7 @@ def _train(job: Job, bench: Bench, folder: Path, tell: Tell) -> None:
     schooling = Schooling(noises=(job.noise,), seed=job.seed, training=training)
     weights = train_policies(bench, schooling, "the bundled lessons", gatherer.heard)
     gatherer.flush()
+    save_job(folder, job)  # what comes to nothing leaves nothing
     save_training(folder, weights, gatherer.curves)
 
 
@@ -96,6 +96,8 @@ def _compare(job: Job, bench: Bench, folder: Path, tell: Tell) -> None:
         )
         result = run(bench, config, heard=gatherer.heard)
         gatherer.flush()
+        if not rows:
+            save_job(folder, job)
         rows.append(_row(policy, result, job.seed))
         save_rows(folder, rows)
         tell({"row": rows[-1]})

@@ -23,7 +23,9 @@ class Foot(RowsView, can_focus=False):
     }
     """
     FIRST: ClassVar[tuple[str, ...]] = ("help", "command_palette")
-    WAYS_OUT: ClassVar[frozenset[str]] = frozenset({"leave", "dismiss", "stay", "app.quit"})
+    WAYS_OUT: ClassVar[frozenset[str]] = frozenset(
+        {"leave", "dismiss", "stay", "cancel", "app.quit"}
+    )
 
     def on_mount(self) -> None:
         """Follow the bindings as the focus moves."""
