@@ -22,7 +22,7 @@ from verbteach_tui.lab.lab import DONE, IDLE, Lab, LabState
 from verbteach_tui.lab.results import Earlier, curves_of, earlier_runs
 from verbteach_tui.screens.lab_runs import EarlierRuns
 from verbteach_tui.screens.lab_settings import LabSettings, Meanings, settings_of
-from verbteach_tui.views.rows import Row, Span, clipped, wrapped
+from verbteach_tui.views.rows import Row, Span, wrapped
 from verbteach_tui.widgets.foot import Foot
 from verbteach_tui.widgets.rows_view import RowsView
 from verbteach_tui.widgets.title_bar import TitleBar
@@ -177,10 +177,12 @@ class LabScreen(Screen[None]):
             return _paragraphs(self._introduction, width)
         if state.job.kind == COMPARE:
             return self._comparison(state, width)
-        rows = curve_rows(state.curves, state.job.dialogues, width, max(self._height - 1, 3))
+        use: list[Row] = []
         if state.phase == DONE and state.folder is not None:
-            use = f"Teach with it: verbteach teach --weights {state.folder / 'weights.json'}"
-            rows.append(clipped([Span(use, "good")], width))
+            words = f"Teach with it: verbteach teach --weights {state.folder / 'weights.json'}"
+            use = wrapped([Span(words, "good")], width)
+        height = max(self._height - max(len(use), 1), 3)
+        rows = [*curve_rows(state.curves, state.job.dialogues, width, height), *use]
         return rows or wrapped([Span("The curve begins with the first dialogues.", "muted")], width)
 
     @property
