@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from enum import Enum
+from functools import lru_cache
 from itertools import pairwise
 
 from verbteach.language import household, words
@@ -40,7 +41,26 @@ def parse(
     ``vocabulary`` holds the nouns of the scene ("mug", "coffee table").
     Unknown verbs and nouns are read by where they stand. Nothing read: empty.
     """
-    classes = WordClasses(lexicon, tuple(vocabulary))
+    return _parsed(text, _Lexicon(lexicon), tuple(vocabulary))
+
+
+class _Lexicon:
+    """A lexicon that equals only itself: comparing it whole would take longer than reading."""
+
+    def __init__(self, words: Lexicon) -> None:
+        self.words = words
+
+    def __hash__(self) -> int:
+        return id(self.words)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Lexicon) and self.words is other.words
+
+
+@lru_cache(maxsize=1 << 10)
+def _parsed(text: str, lexicon: _Lexicon, vocabulary: tuple[str, ...]) -> tuple[VerbFrame, ...]:
+    """Lessons and replays say the same again and again, and a text is always read alike."""
+    classes = WordClasses(lexicon.words, vocabulary)
     tokens = tokenise(text)
     if _is_foreign(tokens, classes):
         return ()

@@ -163,7 +163,7 @@ _PLACES = ("on", "in", "next to")
 _NOT_ADJECTIVES = frozenset({"not", "no"})
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=64)
 def _last(names: Names, state: State) -> Looks:
     return Looks(names.scene, state, names.lexicon)
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TypeAlias
 
 from verbteach.world.domain import EQUALITY, ActionSchema
@@ -94,15 +95,22 @@ def apply(task: Task, state: State, action: Action) -> State:
 
 def run(task: Task, state: State, actions: Iterable[Action]) -> list[State]:
     """Return ``state`` and the state after each action, up to the first that cannot be done."""
+    return list(_run(task, state, tuple(actions)))
+
+
+@lru_cache(maxsize=64)
+def _run(task: Task, state: State, actions: tuple[Action, ...]) -> tuple[State, ...]:
+    """The robot carries a plan out and whoever judges it looks at the same states again."""
     states = [state]
     bits = task.encode(state)
     for action in actions:
         ground = task.action(action)
         if ground is None or not ground.applicable(bits):
             break
-        states.append(_changed(task, states[-1], bits, ground.changes(bits)))
-        bits = ground.result(bits)
-    return states
+        add, delete = ground.changes(bits)
+        states.append(_changed(task, states[-1], bits, (add, delete)))
+        bits = (bits & ~delete) | add
+    return tuple(states)
 
 
 def _changed(task: Task, state: State, bits: int, changes: tuple[int, int]) -> State:
