@@ -6,6 +6,7 @@ import asyncio
 import os
 import time
 from pathlib import Path
+from threading import Event
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from textual import events
 from textual.pilot import Pilot
 from textual.widgets import OptionList
 
-from tests.tui.room import NORMAL, OPEN_THE_FRIDGE, SETTINGS, learn_to_open, room
+from tests.tui.room import NORMAL, OPEN_THE_FRIDGE, SETTINGS, Room, learn_to_open, room
 from tests.tui.strategies import NASTY
 from verbteach_sessions.errors import StorageError
 from verbteach_sessions.session import Session
@@ -247,6 +248,59 @@ async def test_keys_pressed_while_the_robot_thinks_say_nothing(
         assert teacher[-2:] == ["done", "bad"]
 
 
+async def typed_at_once(here: Room, monkeypatch: pytest.MonkeyPatch, *lines: str) -> None:
+    """Type lines faster than the robot can answer the first."""
+    from verbteach.dialogue.robot import Robot
+
+    quick, typed = Robot.receive, Event()
+
+    def slow(self: Robot, act: Any) -> Any:
+        typed.wait(60)
+        return quick(self, act)
+
+    entry = here.teach.query_one(CommandInput)
+    entry.focus()
+    with monkeypatch.context() as patch:
+        patch.setattr(Robot, "receive", slow)
+        for line in lines:
+            entry.value = line
+            await here.pilot.press("enter")
+        assert here.teach.thinking
+        typed.set()
+        await here.settle()
+
+
+async def test_steps_typed_ahead_are_taken_in_order(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with room(tmp_path) as here:
+        await here.line("open the fridge")
+        await typed_at_once(here, monkeypatch, *OPEN_THE_FRIDGE, "go to the sink")
+        assert len(here.teach.snapshot.shown) == len(OPEN_THE_FRIDGE) + 1
+        assert here.teach.query_one(CommandInput).value == ""
+
+
+async def test_what_was_typed_ahead_answers_no_question_that_was_not_seen(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with room(tmp_path) as here:
+        await here.lines("open the fridge", *OPEN_THE_FRIDGE)
+        await typed_at_once(here, monkeypatch, "done", "yes", "open the microwave")
+        assert here.phase == "read_back"
+        entry = here.teach.query_one(CommandInput)
+        assert entry.value == "yes, open the microwave"
+
+
+async def test_after_a_step_that_cannot_be_the_next_ones_wait(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async with room(tmp_path) as here:
+        await here.line("open the fridge")
+        await typed_at_once(here, monkeypatch, "open the fridge", "close the fridge", "done")
+        assert here.teach.snapshot.shown == ()
+        assert here.teach.query_one(CommandInput).value == "close the fridge, done"
+
+
 async def test_a_note_is_kept_and_the_robot_does_not_hear_it(tmp_path: Path) -> None:
     async with room(tmp_path) as here:
         await here.lines("open the fridge", *OPEN_THE_FRIDGE, "done")
@@ -301,8 +355,8 @@ async def test_what_is_typed_while_the_robot_thinks_is_a_new_line(
         await here.pilot.press(*"ab")
         await here.pilot.press("enter")
         assert here.teach.thinking
-        assert entry.value == "ab", "it stays until the robot has answered"
         await here.settle()
+        assert entry.value == "ab", "the robot waits for something else by now: it comes back"
         assert [line.text for line in here.teach.snapshot.lines if line.speaker == "teacher"] == [
             "open it"
         ]

@@ -18,6 +18,8 @@ from verbteach_tui.teaching import Teaching
 from verbteach_tui.widgets.command_input import CommandInput
 
 _TYPING = "To answer in words, press Tab or / first."
+_AHEAD = (Phase.COMMAND, Phase.DEMONSTRATION)
+"""Where lines may be typed while the robot is still thinking about the last one."""
 _TELLING = 4.0  # seconds for which that stays in view
 
 
@@ -28,6 +30,7 @@ class AnsweringScreen(SpeakingScreen):
         super().__init__(teaching)
         self.guard = KeyGuard()
         self._typed = ""
+        self._ahead: list[str] = []
         self._told = float("-inf")
 
     @property
@@ -94,14 +97,33 @@ class AnsweringScreen(SpeakingScreen):
 
     def on_line_typed(self, message: LineTyped) -> None:
         """A line was typed; it leaves the input once it is on its way."""
-        if self.say_line(message.text, "typed"):
+        if self.thinking and self.snapshot.phase in _AHEAD:
+            self._ahead.append(message.text)
+            self.query_one(CommandInput).sent()
+        elif self.say_line(message.text, "typed"):
             self._typed = message.text
             self.query_one(CommandInput).sent()
 
+    def say_what_was_typed_ahead(self, before: Phase) -> None:
+        """Say the next line typed while the robot was thinking in the phase ``before``.
+
+        Only where it still waits for the same, and took the last line: nobody answers a question
+        that was not seen. Otherwise the lines go back into the input.
+        """
+        if not self._ahead:
+            return
+        same = self.snapshot.phase is before and not self.snapshot.problem
+        if same and self.say_line(self._ahead[0], "typed"):
+            self._typed = self._ahead.pop(0)
+        else:
+            self.give_back("")
+
     def give_back(self, raw: str) -> None:
-        """A typed line that came to nothing goes back into the input."""
-        if raw and raw == self._typed:
-            self.query_one(CommandInput).give_back(raw)
+        """Typed lines that came to nothing go back into the input."""
+        back = [raw] if raw and raw == self._typed else []
+        back, self._ahead = [*back, *self._ahead], []
+        if back:
+            self.query_one(CommandInput).give_back(", ".join(back))
 
     def on_step_chosen(self, message: StepChosen) -> None:
         """An action was picked from the lists."""

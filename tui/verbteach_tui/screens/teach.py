@@ -176,7 +176,9 @@ class TeachScreen(AnsweringScreen):
         if message.snapshot.ended:
             self.post_message(SessionLeft(self.teaching, self._after_leaving))
             return
+        before = self._phase
         self._show(message.snapshot, message.played)
+        self.say_what_was_typed_ahead(before)
         for screen in self.app.screen_stack:
             if isinstance(screen, VerbsScreen):
                 screen.show_snapshot(message.snapshot)

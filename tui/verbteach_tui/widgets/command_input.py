@@ -74,8 +74,13 @@ class CommandInput(Input):
         self.clear()
 
     def give_back(self, text: str) -> None:
-        """The line was refused: put it back to be changed, unless something else was begun."""
-        if not self.value:
+        """The line was refused: put it back to be changed.
+
+        Where something else was begun, Up brings it back.
+        """
+        if self.value:
+            self._said.append(text)
+        else:
             self.value = text
             self.cursor_position = len(text)
 
