@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 from textual.pilot import Pilot
 
-from tests.tui.room import NARROW, NORMAL, WIDE, options, said
+from tests.tui.room import BOIL_THE_WATER, NARROW, NORMAL, WIDE, options, said
 from verbteach_tui.app import VerbteachApp
 from verbteach_tui.options import OpenSession
 from verbteach_tui.screens.teach import TeachScreen
@@ -68,3 +68,13 @@ def test_a_demonstration(looks: Callable[..., bool], size: tuple[int, int]) -> N
 @pytest.mark.parametrize("theme", ["evening", "daylight", "clear"])
 def test_a_question_in_three_themes(looks: Callable[..., bool], theme: str) -> None:
     assert looks(ASKED, WIDE, theme)
+
+
+@pytest.mark.parametrize("theme", ["daylight", "clear"])
+def test_a_demonstration_in_other_themes(looks: Callable[..., bool], theme: str) -> None:
+    assert looks(SHOWING, NORMAL, theme)
+
+
+@pytest.mark.parametrize("theme", ["evening", "daylight", "clear"])
+def test_a_goal_read_back_in_three_themes(looks: Callable[..., bool], theme: str) -> None:
+    assert looks(BOIL_THE_WATER[:-1], WIDE, theme)

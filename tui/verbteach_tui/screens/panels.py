@@ -73,7 +73,8 @@ class PanelScreen(RoomScreen):
     def show_panels(self, snapshot: Snapshot, played: bool, speed: float) -> bool:
         """Show ``snapshot``; whether something goes on that has a panel of its own."""
         self.query_one(DialogueView).show_lines(snapshot.lines)
-        self.query_one(LatestWords).show_lines(snapshot.lines)
+        # What is said of a step that was seen stands among the steps, too.
+        self.query_one(LatestWords).show_lines(snapshot.lines, 1 if snapshot.shown else 2)
         self.query_one(MindView).show_mind(snapshot.mind)
         self.query_one(TitleBar).show_title(snapshot.scene, snapshot.figures.texts)
         on_stage = self.query_one(Stage).show_snapshot(snapshot, played, speed)

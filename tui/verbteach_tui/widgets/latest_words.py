@@ -10,9 +10,6 @@ from verbteach_tui.views.rows import Row, Span, clipped, wrapped
 from verbteach_tui.views.visible import shortened
 from verbteach_tui.widgets.rows_view import RowsView
 
-MOST = 2
-"""Rows it takes at most; the dialogue has all of it."""
-
 
 class LatestWords(RowsView, can_focus=False):
     """A row or two."""
@@ -21,20 +18,23 @@ class LatestWords(RowsView, can_focus=False):
     LatestWords { height: 1; overflow-y: hidden; scrollbar-gutter: auto; }
     """
 
-    def show_lines(self, lines: Sequence[DialogueLine]) -> None:
-        """Show what the robot said since somebody else spoke, at the end of ``lines``."""
+    def show_lines(self, lines: Sequence[DialogueLine], most: int = 2) -> None:
+        """Show what the robot said since somebody else spoke, at the end of ``lines``.
+
+        It takes at most so many rows; the dialogue has all of it.
+        """
         latest = takewhile(lambda line: line.speaker == "robot", reversed(lines))
         said = " ".join(reversed([line.text for line in latest]))
-        self.show_once(said, lambda width: _rows(said, width))
+        self.show_once((said, most), lambda width: _rows(said, width, most))
 
     def redrawn(self) -> None:
         """Take as many rows as the words need at this width."""
         self.styles.height = max(len(self.rows), 1)
 
 
-def _rows(said: str, width: int) -> list[Row]:
+def _rows(said: str, width: int, most: int) -> list[Row]:
     speaker = f"{SPEAKERS['robot']}  "
     rows = wrapped([Span(shortened(said))], width, len(speaker), [Span(speaker, "robot")])
-    if len(rows) <= MOST:
+    if len(rows) <= most:
         return rows
-    return [*rows[: MOST - 1], clipped([*rows[MOST - 1], Span(" …", "muted")], width)]
+    return [*rows[: most - 1], clipped([*rows[most - 1], Span(" …", "muted")], width)]
