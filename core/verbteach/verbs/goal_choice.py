@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -95,3 +95,8 @@ class Decision:
     def order(self) -> Ints:
         """The choices, the best first; ties in the choices' order."""
         return np.argsort(-self.values, kind="stable")
+
+
+def _doubles(values: NDArray[np.floating[Any]]) -> Floats:
+    """In the precision of the chances, once: each product of the two would convert them anew."""
+    return values.astype(np.float64)

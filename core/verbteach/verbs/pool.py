@@ -292,11 +292,6 @@ class PoolSource:
         )
 
 
-def _doubles(values: NDArray[np.floating[Any]]) -> Floats:
-    """In the precision of the chances, once: each product of the two would convert them anew."""
-    return values.astype(np.float64)
-
-
 def _summed(index: Ints, values: Floats, size: int) -> Floats:
     return np.bincount(index, values, minlength=size).astype(np.float64)
 
