@@ -13,6 +13,7 @@ from verbteach_sessions.validate import validate
 from verbteach_tui.screens.verbs import VerbsScreen
 from verbteach_tui.views.rows import plain
 from verbteach_tui.widgets.latest_words import LatestWords
+from verbteach_tui.widgets.scene_view import SceneView
 
 ALWAYS = ["dialogue", "mind", "scene"]
 
@@ -73,3 +74,13 @@ def words_below(here: Room) -> str:
     """What stands below the panels of what the robot said last."""
     latest = here.teach.query_one(LatestWords)
     return " ".join(plain(row).strip() for row in latest.rows) if latest.size.height else ""
+
+
+async def test_where_the_robot_went_comes_into_view(tmp_path: Path) -> None:
+    async with room(tmp_path, size=NORMAL) as here:
+        await here.lines("open the fridge", "go to the bottom cupboard")
+        scene = here.teach.query_one(SceneView)
+        await here.pilot.pause(0.1)
+        top = scene.scroll_offset.y
+        shown = [plain(row) for row in scene.rows[top : top + scene.size.height]]
+        assert any("bottom cupboard" in row and "robot" in row for row in shown), shown

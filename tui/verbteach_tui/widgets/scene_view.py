@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from textual import events
 
 from verbteach_tui.views.cards import Arrangement, Emphasis, arrange, beside, half, picture_rows
-from verbteach_tui.views.rows import Row, plain
+from verbteach_tui.views.rows import Row, Span, plain
 from verbteach_tui.widgets.rows_view import RowsView
 
 if TYPE_CHECKING:
@@ -71,11 +71,15 @@ class SceneView(RowsView):
         return picture_rows(picture, width, self._arrangements[key], self._emphasis)
 
     def _reveal_change(self) -> None:
-        marked = [i for i, row in enumerate(self.rows) if any(s.style == "new" for s in row)]
-        asked = [i for i, row in enumerate(self.rows) if any(s.style == "asked" for s in row)]
-        wanted = asked or marked
+        """Bring into view what is asked about, else what changed, else where the robot stands."""
+        asked = self._rows_with(lambda span: span.style == "asked")
+        marked = self._rows_with(lambda span: span.style == "new")
+        wanted = asked or marked or self._rows_with(lambda span: "◂" in span.text)
         if wanted and self.size.height:
             self.reveal(wanted[0], min(wanted[-1], wanted[0] + self.size.height - 1))
+
+    def _rows_with(self, meant: Callable[[Span], bool]) -> list[int]:
+        return [number for number, row in enumerate(self.rows) if any(map(meant, row))]
 
     def on_mouse_move(self, event: events.MouseMove) -> None:
         """Name the object under the mouse as the record names it."""
