@@ -16,7 +16,8 @@ from verbteach.experiments.asking_gains import answered, by_kind
 from verbteach.experiments.asking_mishaps import Analysis, Cause, Examiner, analyse, cause
 from verbteach.experiments.asking_tables import markdown, to_json
 from verbteach.experiments.interactive_bench import Bench, BenchParameters
-from verbteach.experiments.interactive_protocol import Config, Result, run
+from verbteach.experiments.interactive_protocol import Config, run
+from verbteach.experiments.interactive_results import Result
 from verbteach.experiments.interactive_training import TrainingParameters
 from verbteach.experiments.judging import Score
 from verbteach.experiments.sight import stream

@@ -9,7 +9,8 @@ from verbteach.dialogue import execution_inquiry, learning_inquiry
 from verbteach.experiments.instance_split import InstanceSplit
 from verbteach.experiments.interactive import MOST
 from verbteach.experiments.interactive_bench import BenchParameters
-from verbteach.experiments.interactive_protocol import Config, Result, run
+from verbteach.experiments.interactive_protocol import Config, run
+from verbteach.experiments.interactive_results import Result
 from verbteach.experiments.interactive_training import TrainingParameters
 from verbteach.experiments.simulated_human import HumanParameters
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from verbteach.experiments.carrying_out import carry_out
 from verbteach.experiments.interactive import hold
 from verbteach.experiments.interactive_bench import Bench
-from verbteach.experiments.interactive_protocol import Tested
+from verbteach.experiments.interactive_results import Tested
 from verbteach.experiments.interactive_training import TrainingParameters
 from verbteach.experiments.sight import Sight, stream
 from verbteach.experiments.simulated_human import HumanParameters, SimulatedHuman

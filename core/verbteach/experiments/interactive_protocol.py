@@ -26,6 +26,7 @@ from verbteach.experiments.carrying_out import Carried, carry_out
 from verbteach.experiments.instance_split import InstanceSplit
 from verbteach.experiments.interactive import Dialogue, asked_on, hold
 from verbteach.experiments.interactive_bench import Bench
+from verbteach.experiments.interactive_results import Checkpoint, Result, Taught, Tested
 from verbteach.experiments.interactive_training import (
     Heard,
     Practice,
@@ -92,51 +93,6 @@ class Config:
     def to_json(self) -> dict[str, Any]:
         """Plain JSON: what the row of a sweep is keyed by."""
         return asdict(self)
-
-
-@dataclass(frozen=True)
-class Tested:
-    """How one test command went; ``questions`` counts acts by name.
-
-    ``trace`` has (IED, SJI) after no question, one, two and so on, where asked for.
-    """
-
-    instance: str
-    group: str
-    ied: float
-    sji: float
-    right: bool
-    expected: float
-    certainty: float
-    questions: Mapping[str, int]
-    trace: tuple[tuple[float, float], ...] = ()
-
-
-@dataclass(frozen=True)
-class Taught:
-    """How the verbs were acquired: dialogues, goals judged right, questions by act name."""
-
-    dialogues: int
-    right: int
-    questions: Mapping[str, int]
-
-
-@dataclass(frozen=True)
-class Checkpoint:
-    """The test commands carried out with the verbs of the first ``lessons`` only."""
-
-    lessons: int
-    tested: tuple[Tested, ...]
-
-
-@dataclass(frozen=True)
-class Result:
-    """One run: every test command, in the instances' order, and the learning before."""
-
-    tested: tuple[Tested, ...]
-    taught: Taught
-    weights: Mapping[str, Mapping[str, float]]
-    checkpoints: tuple[Checkpoint, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from verbteach.experiments.figures import Observation, figure
-from verbteach.experiments.interactive_protocol import Tested
+from verbteach.experiments.interactive_results import Tested
 from verbteach.experiments.sight import stream
 
 

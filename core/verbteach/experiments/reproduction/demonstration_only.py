@@ -11,13 +11,8 @@ from dataclasses import dataclass
 from verbteach.experiments.evaluation import Grounds, run_trials
 from verbteach.experiments.folds import Fold
 from verbteach.experiments.instance_split import InstanceSplit
-from verbteach.experiments.interactive_protocol import (
-    Checkpoint,
-    Config,
-    Result,
-    Taught,
-    Tested,
-)
+from verbteach.experiments.interactive_protocol import Config
+from verbteach.experiments.interactive_results import Checkpoint, Result, Taught, Tested
 from verbteach.experiments.jobs import Lesson, Setup, Trial
 from verbteach.experiments.she16 import VARIANTS
 from verbteach.perception.noise import NoiseModel

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from verbteach.experiments.figures import Observation
-from verbteach.experiments.interactive_protocol import Result, Tested
+from verbteach.experiments.interactive_results import Result, Tested
 from verbteach.experiments.reproduction.task import Task, key_of
 
 GROUND = ("np_grd_whq", "np_grd_ynq", "bulk_np_grd_ynq")
