@@ -1,4 +1,4 @@
-"""What comes of a run of the interactive protocol: how each command went, and the learning before."""
+"""What comes of a run of the interactive protocol: how each command went, and the learning."""
 
 from __future__ import annotations
 
