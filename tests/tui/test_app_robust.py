@@ -55,7 +55,7 @@ async def test_what_is_pasted_is_one_line_and_nothing_is_sent_by_it(tmp_path: Pa
         entry = here.teach.query_one(CommandInput)
         here.app.post_message(events.Paste("open the fridge\nquit\n\x1b[31m"))
         await here.settle()
-        assert entry.value == "open the fridge"
+        assert entry.value == "open the fridge, quit, [31m"
         assert here.phase == "command"
 
 
@@ -128,6 +128,23 @@ async def test_a_word_typed_among_the_steps_edits_none(tmp_path: Path) -> None:
         await here.settle()
         assert here.teach.snapshot.shown == shown
         assert not here.teach.query_one(StepsView).running
+
+
+async def test_what_is_pasted_goes_into_the_line_whole_and_says_nothing(tmp_path: Path) -> None:
+    async with room(tmp_path) as here:
+        await here.line("open the fridge")
+        entry = here.teach.query_one(CommandInput)
+        assert not entry.has_focus
+        here.app.post_message(events.Paste("go to the fridge\n\n  open the fridge\r\n"))
+        await here.settle()
+        assert entry.value == "go to the fridge, open the fridge"
+        assert here.teach.snapshot.shown == ()
+        await here.key("enter")
+        assert len(here.teach.snapshot.shown) == 2
+        assert entry.has_focus
+        here.app.post_message(events.Paste("done"))
+        await here.settle()
+        assert entry.value == "done"
 
 
 async def test_a_failing_robot_becomes_a_dialog_and_the_session_goes_on(

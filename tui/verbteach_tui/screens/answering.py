@@ -63,6 +63,13 @@ class AnsweringScreen(SpeakingScreen):
             line.focus()
             line.insert_text_at_cursor(character)
 
+    def on_paste(self, event: events.Paste) -> None:
+        """What is pasted where keys answer is meant for the line; nothing is said by it."""
+        event.stop()
+        line = self.query_one(CommandInput)
+        line.focus()
+        line.take_in(event.text)
+
     def _typed_elsewhere(self, event: events.Key) -> None:
         """Swallow a key that belongs to a word, and say once a word where words go."""
         _consume(event)

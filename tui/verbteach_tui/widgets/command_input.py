@@ -60,6 +60,20 @@ class CommandInput(Input):
             event.prevent_default()
             event.stop()
 
+    def on_paste(self, event: events.Paste) -> None:
+        """All of what is pasted goes in."""
+        event.stop()
+        event.prevent_default()
+        self.take_in(event.text)
+
+    def take_in(self, text: str) -> None:
+        """Put text in at the cursor, its lines one after the other in this one.
+
+        Without what no key could type: a terminal would take it for orders.
+        """
+        lines = ("".join(filter(str.isprintable, line)).strip() for line in text.splitlines())
+        self.replace(", ".join(filter(None, lines)), *self.selection)
+
     def on_input_submitted(self, message: Input.Submitted) -> None:
         """Hand the line on. It stays until it is sent, so that nothing typed is lost."""
         message.stop()
