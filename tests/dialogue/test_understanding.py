@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tests.dialogue.stage import robot, tell
+from tests.dialogue.stage import robot, shown, tell
 from verbteach.dialogue import acts
+from verbteach.dialogue.moves import Phase
 from verbteach.dialogue.robot import Robot
 from verbteach.dialogue.turn import RobotTurn
 
@@ -64,6 +65,28 @@ def test_a_misspelled_description_is_offered_and_not_taken() -> None:
     turn = asked(listener, "take the plate", "the bleu one")
     assert any('Did you mean "the blue one"?' in text for text in texts(turn))
     assert meant(listener, "the plate") == {"Plate_1", "Plate_2"}
+
+
+GRAB = ("moveto Mug_2", "grasp Mug_2")
+
+
+@pytest.mark.parametrize(
+    ("said", "corrected", "things"),
+    [
+        (["grab the spoon"], "no, the wooden one", {"Ladle_1"}),
+        (["grab the red mug", "the plastic one"], "no, the other one", {"Mug_1"}),
+        (["grab the plastic mug"], "no, the ceramic one", {"Mug_1", "Mug_2"}),
+    ],
+)
+def test_a_correction_names_another_thing_or_several(
+    said: list[str], corrected: str, things: set[str]
+) -> None:
+    listener = robot()
+    tell(listener, acts.Command("grab the blue mug"), *shown(*GRAB), acts.Good())
+    turn = asked(listener, *said)
+    assert turn.phase is Phase.JUDGEMENT
+    tell(listener, acts.Say(corrected))
+    assert meant(listener, said[0].removeprefix("grab ")) == things
 
 
 def texts(turn: RobotTurn) -> list[str]:

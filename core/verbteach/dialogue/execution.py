@@ -30,6 +30,7 @@ from verbteach.dialogue.seeing import perceived
 from verbteach.dialogue.state import EpisodeState, RankedGoal
 from verbteach.dialogue.understanding import ground_phrases
 from verbteach.language.frames import VerbFrame
+from verbteach.language.refer import Candidates
 from verbteach.verbs.application import GroundingBelief, Situation
 from verbteach.verbs.selection import GoalCandidate, Selection, candidates, select
 from verbteach.verbs.space import FrameKey
@@ -123,13 +124,14 @@ def _deliberate_plainly(draft: Draft) -> None:
         demonstration.request(draft, act.reason)
 
 
-def correct_reference(draft: Draft, phrase: str, thing: str) -> None:
-    """A correction offered unasked ("no, the other pot"): start over with it."""
+def correct_reference(draft: Draft, phrase: str, things: Candidates) -> None:
+    """A correction offered unasked ("no, the other pot"): start over with it, or with them."""
     carrying_out.disapprove(draft)
     episode = draft.episode
     draft.remember(world=episode.start)
-    draft.experience.append((phrase, thing))
-    draft.update(grounding=episode.grounding.confirm(phrase, thing), execution=None)
+    if len(things) == 1:
+        draft.experience.append((phrase, things[0][0]))
+    draft.update(grounding=episode.grounding.restrict(phrase, dict(things)), execution=None)
     deliberate(draft)
 
 

@@ -215,8 +215,9 @@ def _judgement_in_words(draft: Draft, text: str) -> None:
     correction = find_correction(draft, reply)
     draft.reading = reply.label
     if correction is not None:
-        draft.reading = f"{correction[0]}: {correction[1]}"
-        execution.correct_reference(draft, *correction)
+        phrase, things = correction
+        draft.reading = f"{phrase}: {', '.join(thing for thing, _ in things)}"
+        execution.correct_reference(draft, phrase, things)
     elif reply.label == "yes":
         _judgement(draft, acts.Good())
     elif reply.label == "no":

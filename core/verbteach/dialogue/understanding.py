@@ -247,17 +247,26 @@ def _noun_phrase(draft: Draft, text: str) -> NounPhrase | None:
     return frames[0].phrases[0] if frames and frames[0].phrases else None
 
 
-def find_correction(draft: Draft, reply: Reply) -> tuple[str, str] | None:
-    """A noun phrase of the command and the one object it should have meant: "no, the other pot"."""
+def find_correction(draft: Draft, reply: Reply) -> tuple[str, Candidates] | None:
+    """A noun phrase of the command and what it should have meant: "no, the other pot".
+
+    Of several things those that the phrase itself fits.
+    """
     told = _noun_phrase(draft, reply.rest) if reply.label == "no" and reply.rest else None
     if told is None:
         return None
     looks = _looks(draft)
-    for phrase in draft.episode.phrases:
+    for argument in draft.episode.frame.arguments:
+        phrase = argument.phrase.text
         was = draft.episode.grounding.best(phrase)
         found = refer(told, looks, [was] if was else [])
-        if len(found) == 1 and found[0][0] != was and _alike(looks, phrase, was, found[0][0], told):
-            return phrase, found[0][0]
+        others = [
+            row for row in found if row[0] != was and _alike(looks, phrase, was, row[0], told)
+        ]
+        fitting = {thing for thing, _ in _candidates(draft, argument, looks)}
+        among = tuple(row for row in others if row[0] in fitting) or tuple(others)
+        if among:
+            return phrase, among
     return None
 
 
