@@ -28,6 +28,7 @@ from verbteach_tui.views.rows import plain, width_of
 from verbteach_tui.widgets.command_input import CommandInput
 from verbteach_tui.widgets.dialogue_view import DialogueView
 from verbteach_tui.widgets.hypothesis_view import HypothesisView
+from verbteach_tui.widgets.key_bar import KeyBar
 from verbteach_tui.widgets.rows_view import RowsView
 
 PANELS = ("dialogue", "scene", "mind")
@@ -199,3 +200,17 @@ async def test_the_empty_line_says_what_to_type_or_how_to_come_to_it(tmp_path: P
         assert line.placeholder == "Tab or / to type, as in: boil the water"
         await here.key("tab")
         assert line.placeholder.startswith("Say what the robot should do")
+
+
+async def test_after_an_undo_the_line_names_the_key_that_does_it_again(tmp_path: Path) -> None:
+    async with room(tmp_path, size=NARROW) as here:
+        await here.line("open the fridge")
+        assert here.phase == "demonstration"
+        await here.key("u")
+        assert here.phase == "command"
+        assert here.teach.query_one(CommandInput).has_focus
+        bar = " ".join(plain(row) for row in here.teach.query_one(KeyBar).rows)
+        assert "^y  redo" in bar
+        assert "^z" not in bar
+        await here.key("ctrl+y")
+        assert here.phase == "demonstration"

@@ -73,6 +73,10 @@ TYPING = Key("Tab", "type", "type a command")
 """Back into the line, where nothing waits to be answered with a key."""
 
 
+UNDO, REDO = Key("^z", "undo", "undo"), Key("^y", "redo", "redo")
+"""While the line has the keys."""
+
+
 class Bar(NamedTuple):
     """What the bar of keys says: the keys that answer, and those that always work."""
 
@@ -123,7 +127,7 @@ def bar_of(snapshot: Snapshot, typing: bool, watching: bool = False, editing: bo
     if snapshot.suggested:
         return Bar("Is that what you meant?", (SUGGESTED,))
     if typing:
-        return Bar(f"{lead}: type and press Enter", _while_typing(snapshot))
+        return Bar(f"{lead}: type and press Enter", _while_typing(snapshot), _taking_back(snapshot))
     if snapshot.phase is Phase.COMMAND:
         return Bar("Single keys", (TYPING,), tuple(_always(snapshot)))
     return Bar(lead, tuple(_answers(snapshot)), tuple(_always(snapshot)))
@@ -144,6 +148,12 @@ def _answers(snapshot: Snapshot) -> list[Key]:
 def _while_typing(snapshot: Snapshot) -> tuple[Key, ...]:
     """Leaving the line, where single keys would answer."""
     return () if snapshot.phase is Phase.COMMAND else (Key("Tab", "leave", "single keys"),)
+
+
+def _taking_back(snapshot: Snapshot) -> tuple[Key, ...]:
+    """In the line letters are typed: there these keys take back, and do again."""
+    possible = {"undo": snapshot.can_undo, "redo": snapshot.can_redo}
+    return tuple(key for key in (UNDO, REDO) if possible[key.word])
 
 
 def _always(snapshot: Snapshot) -> list[Key]:
