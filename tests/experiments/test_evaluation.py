@@ -17,7 +17,7 @@ from tests.experiments.shelves import STARTS, grounds, instances, put, room
 from verbteach.experiments.evaluation import Grounds, ceiling_trials, evaluate, run_trials, scores
 from verbteach.experiments.folds import held_out, is_development, leave_one_environment_out
 from verbteach.experiments.groundings import shown
-from verbteach.experiments.jobs import Setup
+from verbteach.experiments.jobs import Lesson, Setup
 from verbteach.experiments.judging import Judge, Score
 from verbteach.experiments.she16 import CRITERIA, VARIANTS, Variant, variant
 from verbteach.perception.noise import LEVELS, READINGS, NoiseModel
@@ -100,6 +100,19 @@ def test_runs_differ_by_their_draws_only_with_noise() -> None:
     assert run_trials(grounds(), noisy, 0) == run_trials(grounds(), noisy, 0)
     assert run_trials(grounds(), noisy, 0) != run_trials(grounds(), noisy, 1)
     assert run_trials(grounds(), setup(), 0) == run_trials(grounds(), setup(), 1)
+
+
+def test_lessons_that_are_known_are_not_learned_again_and_change_nothing() -> None:
+    noisy = setup(noise=NoiseModel.named("std3"))
+    first, *others = grounds().folds
+    known: dict[str, Lesson] = {}
+    run_trials(replace(grounds(), folds=(first,)), noisy, known=known)
+    assert set(known) == {i.id for i in first.train}
+    held = dict(known)
+    rest = replace(grounds(), folds=tuple(others))
+    assert run_trials(rest, noisy, known=known) == run_trials(rest, noisy)
+    assert all(known[name] is lesson for name, lesson in held.items())
+    assert set(known) > set(held)
 
 
 def lit(instance: Instance) -> Instance:

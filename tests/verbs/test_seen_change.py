@@ -43,6 +43,17 @@ def test_with_perfect_eyes_the_change_is_seen_as_it_is(seed: int) -> None:
     assert seen.likely == StateChange.between(state, end, grounded.domain.static).literals
 
 
+@settings(max_examples=40, deadline=None)
+@given(st.integers(0, 10_000))
+def test_nothing_that_changed_is_held_for_impossible(seed: int) -> None:
+    grounded, state, rng = task(seed)
+    actions, end = walked(grounded, state, rng)
+    noise = NoiseModel.named("uniform")
+    before, after = perceive(state, (), noise, rng), perceive(end, (), noise, rng)
+    true = StateChange.between(state, end, grounded.domain.static).literals
+    assert true <= seen_change(grounded, before, after, actions).table.keys()
+
+
 def test_knowing_the_actions_beats_trusting_the_eyes() -> None:
     by_eye = by_model = 0
     noise = NoiseModel.named("std5")

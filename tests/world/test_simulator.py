@@ -85,6 +85,13 @@ def test_a_run_is_one_application_after_another(actions: list[Action]) -> None:
         assert explain(TASK, states[-1], actions[len(states) - 1]) != ()
 
 
+def test_the_states_of_a_run_are_the_callers_own() -> None:
+    actions = applicable(TASK, START)[:1]
+    first = run(TASK, START, actions)
+    first.clear()
+    assert run(TASK, START, iter(actions)) == [START, apply(TASK, START, actions[0])]
+
+
 @pytest.mark.parametrize(
     ("text", "obstacles"),
     [
