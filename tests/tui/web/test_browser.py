@@ -16,6 +16,7 @@ from tests.tui.web.served import served
 from verbteach_sessions.eventlog import LogReader
 from verbteach_sessions.session import Session
 from verbteach_sessions.validate import validate
+from verbteach_tui.study.reading_screen import TOO_SOON
 
 pytestmark = [
     pytest.mark.slow,
@@ -50,12 +51,13 @@ async def teach_to_open(page: Page, log: Path) -> None:
     await answered(log, before + 1)
     await page.shows("don't show it")
     await page.press("/")
+    await page.shows("type and press Enter")
     for number, step in enumerate(steps, start=2):
-        await page.shows("type and press Enter" if number == 2 else "So far")
         await page.type(step)
         await answered(log, before + number)
+        await page.shows("So far")
     await page.press("escape")
-    await asyncio.sleep(1)
+    await page.shows("don't show it")
     await page.press(done[0])
     await answered(log, before + 4)
     await page.shows("Is that the goal?")
@@ -149,6 +151,12 @@ async def refused(browser: Browser, address: str, word: str) -> None:
     assert await page.value("document.querySelector('.textual-terminal')") is None
 
 
+async def read(page: Page, text: str) -> None:
+    """Wait for a text, and for as long as nobody can have read it."""
+    await page.shows(text)
+    await asyncio.sleep(TOO_SOON)
+
+
 async def test_a_study_in_a_browser_keeps_nothing_before_consent_and_comes_back(
     tmp_path: Path,
 ) -> None:
@@ -159,24 +167,24 @@ async def test_a_study_in_a_browser_keeps_nothing_before_consent_and_comes_back(
             page = await browser.visit(address)
             await page.ready()
             assert not records.exists()
-            await page.shows("Do you agree")
+            await read(page, "Do you agree")
             await page.press("y")
-            await page.shows("Instructions")
+            await read(page, "Instructions")
             assert list(records.glob("*/ticket.json"))
             await page.press("enter")
-            await page.shows("Practice")
+            await read(page, "Practice")
             await page.press("enter")
             log = await started(page, records, tour=False)
             await page.type("open the fridge")
             await answered(log, 2)
             await page.reload()
             await page.ready()
-            await page.shows("Practice")
+            await read(page, "Practice")
             await page.press("enter")
             await happens(lambda: b'"type":"resume"' in log.read_bytes())
             no = await browser.visit(address)
             await no.ready()
-            await no.shows("Do you agree")
+            await read(no, "Do you agree")
             await no.press("n")
             await no.until("document.body.classList.contains('-closed')")
     (home,) = [path for path in records.iterdir() if path.is_dir()]
