@@ -1,9 +1,10 @@
 """Put the tables of a reproduction on the page of results.
 
-`python docs/results_tables.py MAIN BESIDE HARDER`, where each folder is what
+`python docs/results_tables.py MAIN BESIDE ALL`, where each folder is what
 `verbteach reproduce` wrote with `--out`: the paper's tables, what is reported
-beside them (`--with phantom --with paper-prices`), and `--with harder-teacher`.
-The curves of the first go to the pictures.
+beside them (`--with phantom --with paper-prices --with harder-teacher`), and
+every environment held out in turn (`--folds all`). The curves of the first go
+to the pictures.
 """
 
 from __future__ import annotations
@@ -31,14 +32,14 @@ def sections(folder: Path) -> dict[str, str]:
     return {"": first.strip(), **{title: body.strip() for title, _, body in parts}}
 
 
-def main(folder: Path, beside: Path, harder: Path) -> None:
+def main(folder: Path, beside: Path, in_turn: Path) -> None:
     """Fill the three parts and copy the pictures."""
     own = sections(folder)
     page = PAGE.read_text("utf-8")
     shown = {t: b for t, b in own.items() if t not in LISTED}
     page = filled(page, "tables", _text(shown))
     page = filled(page, "beside", _text(_without(sections(beside), own)))
-    page = filled(page, "harder teacher", _text(_without(sections(harder), own)))
+    page = filled(page, "one in turn", _text(_retitled(sections(in_turn))))
     PAGE.write_text(page, "utf-8")
     for name in PICTURES:
         shutil.copyfile(folder / name, IMAGES / name)
@@ -46,6 +47,11 @@ def main(folder: Path, beside: Path, harder: Path) -> None:
 
 def _without(all_of: dict[str, str], known: dict[str, str]) -> dict[str, str]:
     return {title: body for title, body in all_of.items() if not title or title not in known}
+
+
+def _retitled(all_of: dict[str, str]) -> dict[str, str]:
+    """No two parts of a page have one title."""
+    return {title and f"{title}, each environment in turn": body for title, body in all_of.items()}
 
 
 def _text(parts: dict[str, str]) -> str:
