@@ -7,10 +7,10 @@ from collections.abc import Sequence
 import pytest
 
 from tests.experiments.interactive_room import bench
+from verbteach.experiments import interactive_results as results
 from verbteach.experiments.examination import Examination, Pupil
 from verbteach.experiments.figures import Observation
 from verbteach.experiments.gold import whole_change
-from verbteach.experiments.interactive_results import Tested
 from verbteach.experiments.policy_scores import policy_scores
 from verbteach.perception.noise import NoiseModel
 from verbteach.policy.asking_policy import AskingPolicy
@@ -38,7 +38,7 @@ def memory(rooms: set[str]) -> Memory:
     return Memory.keeping(examples)
 
 
-def examined(policy: AskingPolicy, level: str = "perfect") -> tuple[Tested, ...]:
+def examined(policy: AskingPolicy, level: str = "perfect") -> tuple[results.Tested, ...]:
     here = bench()
     rooms = sorted({one.environment for one in here.instances})
     commands = [one for one in here.instances if one.environment == rooms[0]]
@@ -46,7 +46,7 @@ def examined(policy: AskingPolicy, level: str = "perfect") -> tuple[Tested, ...]
     return exam.held(Pupil(memory(set(rooms[1:])), policy))
 
 
-def mean(rows: Sequence[Tested]) -> float:
+def mean(rows: Sequence[results.Tested]) -> float:
     return sum(row.sji for row in rows) / len(rows)
 
 
