@@ -113,7 +113,7 @@ async def test_a_turn_is_picked_and_the_scene_and_the_stage_follow(tmp_path: Pat
 async def test_it_plays_by_itself_and_stops_at_the_end(tmp_path: Path) -> None:
     path = said(tmp_path, *LESSON)
     async with playing(path, NARROW, speed=16.0) as (screen, pilot):
-        assert screen.playing
+        assert screen.playing or screen.past.at > 0, "on a slow machine it may be over by now"
         for _ in range(400):
             if not screen.playing:
                 break
