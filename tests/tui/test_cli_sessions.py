@@ -10,22 +10,7 @@ import pytest
 
 from tests.sessions.records import first, forge, raw_lines, write_events
 from tests.tui.commandline import assert_refused, here
-from tests.tui.scripted import SCRIPT, taught
 from verbteach_sessions.eventlog import LOG_NAME
-
-
-@pytest.fixture(scope="module")
-def kept(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A session taught by a script that fits to its end. Tests leave it as it is."""
-    ran = taught(SCRIPT, tmp_path_factory.mktemp("sessions"))
-    assert ran.status == 0, ran
-    return Path(ran.document["session"])
-
-
-@pytest.fixture
-def copy(kept: Path, tmp_path: Path) -> Path:
-    """The same session in a folder of its own, to be spoiled."""
-    return Path(shutil.copytree(kept, tmp_path / "sessions" / kept.name))
 
 
 def test_list_has_the_newest_first(kept: Path, tmp_path: Path) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import shutil
 import signal
 import subprocess
 import sys
@@ -20,20 +19,6 @@ from verbteach_sessions.session import Session
 from verbteach_tui.conclusion import INTERRUPTED
 
 SUMMARY = {"session", "episodes", "successes", "questions", "verbs_learned", "reward"}
-
-
-@pytest.fixture(scope="module")
-def kept(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A session taught by a script that fits to its end. Tests leave it as it is."""
-    ran = taught(SCRIPT, tmp_path_factory.mktemp("sessions"))
-    assert ran.status == 0, ran
-    return Path(ran.document["session"])
-
-
-@pytest.fixture
-def copy(kept: Path, tmp_path: Path) -> Path:
-    """The same session in a folder of its own, to be spoiled."""
-    return Path(shutil.copytree(kept, tmp_path / "sessions" / kept.name))
 
 
 def test_teach_prints_its_summary_and_nothing_else(tmp_path: Path) -> None:
