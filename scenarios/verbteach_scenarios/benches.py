@@ -12,3 +12,10 @@ def bench_of(data: EvaluationData, parameters: BenchParameters | None = None) ->
     grounds = data.grounds
     rooms = furnish(grounds.tasks, grounds.planner)
     return Bench(grounds.instances, rooms, parameters or BenchParameters())
+
+
+def bench_grounded(data: EvaluationData, grounding: str) -> Bench:
+    """A bench whose noun phrases get their objects as named: ``corpus``, ``oracle`` or ``own``."""
+    bench = bench_of(data, BenchParameters(oracle=grounding == "oracle"))
+    bench.grounder = data.own if grounding == "own" else None
+    return bench

@@ -6,7 +6,7 @@ Whole environments are held out, since that is what a new room is.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import product
 from pathlib import Path
 
@@ -30,7 +30,9 @@ from verbteach.world.task import Task
 from verbteach_scenarios.errors import WorldFileError
 from verbteach_scenarios.lexicon_file import load_lexicon
 from verbteach_scenarios.tell_me_dave.corpus import Progress, read_corpus
+from verbteach_scenarios.tell_me_dave.documents import Corpus
 from verbteach_scenarios.tell_me_dave.instances import instances
+from verbteach_scenarios.tell_me_dave.parting import TEST_DATA, Parting
 from verbteach_scenarios.tell_me_dave.rooms import Rooms
 
 TRAINING = PlannerConfig(expansions=500)
@@ -71,10 +73,17 @@ class OwnGrounder:
 
 @dataclass(frozen=True)
 class EvaluationData:
-    """Folds with their tasks, and the robot's own way to ground phrases in them."""
+    """Folds with their tasks, and the robot's own way to ground phrases in them.
+
+    ``apart`` are the environments of test data, which are none of those that are
+    learned from whatever they look like; ``left_out`` names the documents that
+    are not learned from since they are test data too.
+    """
 
     grounds: Grounds
     own: OwnGrounder
+    apart: tuple[str, ...] = ()
+    left_out: tuple[str, ...] = ()
 
 
 def of_corpus(
@@ -82,32 +91,40 @@ def of_corpus(
 ) -> EvaluationData:
     """A Tell Me Dave folder: each environment held out in turn, or learned from for ``test``.
 
-    Raises ``CorpusError``; ``WorldFileError`` where nothing can be held out, or a
-    document is in both folders.
+    Raises ``CorpusError``; ``WorldFileError`` where nothing can be held out or learned from.
     """
-    folders = [data] if test is None else [data, test]
-    read = [_corpus(folder, progress) for folder in folders]
+    corpora = [read_corpus(folder, progress) for folder in (data, test) if folder is not None]
+    parting = Parting.of(*corpora) if test is not None else None
+    read = [_part(one) for one in ((parting.learned, parting.tested) if parting else corpora)]
     tasks = {key: task for part in read for key, task in part.tasks.items()}
     scenes = {key: scene for part in read for key, scene in part.scenes.items()}
     own = OwnGrounder(scenes, load_lexicon())
-    found = [part.instances for part in read]
-    _disjoint(found, folders[-1])
+    learned, *tested = [part.instances for part in read]
+    away = [_set_apart(part) for part in tested]
     try:
-        folds = leave_one_environment_out(*found) if test is None else held_out(*found)
+        folds = held_out(learned, *away) if away else leave_one_environment_out(learned)
     except ValueError as error:
         raise WorldFileError(data, 0, str(error)) from error
-    return EvaluationData(Grounds(folds, tasks, training_planner), own)
+    apart = tuple(sorted({one.environment for part in away for one in part}))
+    left_out = parting.left_out if parting else ()
+    return EvaluationData(Grounds(folds, tasks, training_planner), own, apart, left_out)
+
+
+def _set_apart(test: Sequence[Instance]) -> tuple[Instance, ...]:
+    """Test instances in environments of their own, so that they can be held out by name."""
+    return tuple(replace(one, environment=one.environment + TEST_DATA) for one in test)
 
 
 @dataclass(frozen=True)
 class CorpusFolder:
-    """A Tell Me Dave folder that is read where it is needed, in whatever process."""
+    """A Tell Me Dave folder, and one to test on, read where they are needed in any process."""
 
     folder: Path
+    test: Path | None = None
 
     def __call__(self) -> tuple[Grounds, OwnGrounder]:
-        """Read it; see ``of_corpus``."""
-        found = of_corpus(self.folder)
+        """Read them; see ``of_corpus``."""
+        found = of_corpus(self.folder, self.test)
         return found.grounds, found.own
 
 
@@ -131,21 +148,12 @@ class _Part:
     scenes: Mapping[str, Scene]
 
 
-def _corpus(folder: Path, progress: Progress | None) -> _Part:
-    corpus = read_corpus(folder, progress)
+def _part(corpus: Corpus) -> _Part:
     rooms = Rooms.of(corpus)
     found = tuple(one.instance for one in instances(corpus, rooms=rooms))
     keys = sorted({instance.task_key for instance in found})
     scenes = {key: rooms.rooms[key].scene(key, frozenset()) for key in keys}
     return _Part(found, {key: rooms.task(key) for key in keys}, scenes)
-
-
-def _disjoint(parts: Sequence[Sequence[Instance]], folder: Path) -> None:
-    first, *others = [{instance.group for instance in part} for part in parts]
-    twice = sorted(first.intersection(*others)) if others else []
-    if twice:
-        reason = f"document {twice[0]} is in the other folder too: test on what was not learned"
-        raise WorldFileError(folder, 0, reason)
 
 
 def _instance(lesson: Lesson, task: Task, settings: Settings) -> Instance:

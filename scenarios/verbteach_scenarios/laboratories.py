@@ -10,11 +10,10 @@ from hashlib import sha256
 from pathlib import Path
 
 import verbteach
-from verbteach.experiments.interactive_bench import BenchParameters
 from verbteach.experiments.reproduction.laboratory import Laboratory, fingerprint
 from verbteach.experiments.reproduction.rows import Row
 from verbteach.experiments.reproduction.task import Task
-from verbteach_scenarios.benches import bench_of
+from verbteach_scenarios.benches import bench_grounded
 from verbteach_scenarios.grounds import EvaluationData, of_corpus, of_lessons
 from verbteach_scenarios.lessons import load_lessons
 from verbteach_scenarios.settings import make_settings
@@ -49,29 +48,17 @@ def laboratory(source: LaboratorySource) -> Laboratory:
 
     Raises ``CorpusError`` or ``WorldFileError`` where a folder does not fit.
     """
-    data = _data(source)
-    apart: tuple[str, ...] = ()
-    if source.test_data is not None:
-        data, apart = _set_apart(data)
-    parameters = BenchParameters(oracle=source.grounding == "oracle")
-    bench = bench_of(data, parameters)
-    own = data.own if source.grounding == "own" else None
-    bench.grounder = own
-    return Laboratory(bench, data.grounds, source.grounding, own, apart)
+    data = evaluation_data(source)
+    bench = bench_grounded(data, source.grounding)
+    return Laboratory(bench, data.grounds, source.grounding, bench.grounder, data.apart)
 
 
-def _data(source: LaboratorySource) -> EvaluationData:
+@lru_cache(maxsize=1)
+def evaluation_data(source: LaboratorySource) -> EvaluationData:
+    """Read what a laboratory is made from. Raises as ``laboratory`` does."""
     if source.data is None:
         return of_lessons(load_lessons(), make_settings())
     return of_corpus(source.data, source.test_data)
-
-
-def _set_apart(data: EvaluationData) -> tuple[EvaluationData, tuple[str, ...]]:
-    """Give the test instances environments of their own, so that they can be held out by name."""
-    (fold,) = data.grounds.folds
-    test = tuple(replace(i, environment=f"{i.environment} (test data)") for i in fold.test)
-    grounds = replace(data.grounds, folds=(replace(fold, test=test),))
-    return replace(data, grounds=grounds), tuple(sorted({i.environment for i in test}))
 
 
 @dataclass(frozen=True)

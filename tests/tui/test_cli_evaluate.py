@@ -11,7 +11,14 @@ from typing import Any
 import pytest
 
 from tests.docs.test_commands import documented_keys, keys
-from tests.scenarios.tell_me_dave_folder import OBJECTS, REAL, needs_corpus, write_document
+from tests.scenarios.tell_me_dave_folder import (
+    CLAUSES,
+    FILLING,
+    OBJECTS,
+    REAL,
+    needs_corpus,
+    write_document,
+)
 from tests.sessions.rooms import BOIL, recorded
 from tests.tui.commandline import assert_refused, here
 from verbteach_scenarios.grounds import of_corpus, of_lessons
@@ -145,8 +152,30 @@ def test_another_folder_can_be_tested_on(folder: Path, tmp_path: Path) -> None:
     assert document["instances"] == 2
 
 
-def test_what_was_learned_is_not_tested_on(folder: Path) -> None:
-    assert_refused(here("evaluate", "--data", folder, "--test-data", folder), "document 7")
+@pytest.mark.parametrize("grounding", ["corpus", "own"])
+def test_a_policy_that_asks_is_tested_on_another_folder(
+    grounding: str, folder: Path, tmp_path: Path
+) -> None:
+    """One document of it is called as one that is learned from, and is another all the same."""
+    for name in ("7", "9"):
+        write_document(tmp_path, name, steps=FILLING[:4] + FILLING[-1:], clauses=CLAUSES[:1])
+    words = ("--data", folder, "--test-data", tmp_path, "--grounding", grounding)
+    document = scored(*words, "--policy", "manual", "--noise", "std3")
+    assert document["grounding"] == grounding
+    assert document["instances"] == 2
+    assert document["sji"]["mean"] > 0
+    assert scored(*words, "--policy", "rl", "--weights", STARTING)["instances"] == 2
+
+
+def test_what_was_learned_is_not_tested_on(folder: Path, tmp_path: Path) -> None:
+    """Whatever it is called: it is left out of what is learned, which may leave nothing."""
+    assert_refused(here("evaluate", "--data", folder, "--test-data", folder), "not learned")
+    renamed = write_document(tmp_path, "30")
+    for policy in ("she16", "split"):
+        words = ("--data", folder, "--policy", policy, "--no-ceilings", "--jobs", 1)
+        both = here("evaluate", *words, "--test-data", renamed)
+        assert both.status == 0
+        assert both.err.count("1 document is in both folders (7)") == 1
 
 
 def test_one_room_cannot_be_held_out(tmp_path: Path) -> None:
@@ -159,7 +188,6 @@ def test_one_room_cannot_be_held_out(tmp_path: Path) -> None:
     [
         (("--policy", "psychic"), "this version has no policy 'psychic'"),
         (("--policy", "manual", "--weights", "w.json"), "--weights"),
-        (("--policy", "manual", "--grounding", "own"), "--grounding own"),
         (("--policy", "rl", "--criterion", "oracle"), "--criterion"),
         (("--policy", "rl", "--weights", "no-such-file"), "no-such-file"),
         (("--from", "no-such-session"), "no-such-session"),
@@ -230,8 +258,9 @@ def test_a_robot_that_somebody_taught_is_scored(folder: Path, tmp_path: Path) ->
     assert document["instances"] == 4
     assert document["policy"] == "silent"
     assert document["questions_learning"]["mean"] == 0
-    asking = scored("--data", folder, "--from", taught, "--policy", "rl")
+    asking = scored("--test-data", folder, "--from", taught, "--policy", "rl")
     assert asking["policy"] == "rl"
+    assert asking["instances"] == 4
 
 
 def test_a_robot_that_learned_nothing_is_not_scored(folder: Path, tmp_path: Path) -> None:

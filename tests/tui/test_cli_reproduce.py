@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from tests.docs.test_commands import documented_keys, keys
-from tests.scenarios.tell_me_dave_folder import OBJECTS, write_document
+from tests.scenarios.tell_me_dave_folder import FILLING, OBJECTS, write_document
 from tests.tui.commandline import Ran, assert_refused, here
 from verbteach.experiments.reproduction.rows import Row
 
@@ -123,8 +123,9 @@ def test_rows_of_other_data_are_left_alone(done: Path, folder: Path, tmp_path: P
 def test_test_data_is_what_is_tested(folder: Path, tmp_path: Path) -> None:
     apart = tmp_path / "apart"
     apart.mkdir()
+    waited = (*FILLING[:-1], (FILLING[-1][0], "wait"), FILLING[-1])
     for number in (30, 31):
-        write_document(apart, str(number))
+        write_document(apart, str(number), steps=waited)
     ran = reproduced("table5", folder, tmp_path / "out", "--test-data", apart, "--jobs", 1)
     assert "Table 5" in ran.out
     document = read(tmp_path / "out")

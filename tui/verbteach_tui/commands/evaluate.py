@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeVar
 
 import typer
 
+from verbteach_tui.commands.corpora import tell_left_out
 from verbteach_tui.commands.evaluate_grid import Part
 from verbteach_tui.commands.evaluate_mistakes import mistakes_document, print_mistakes
 from verbteach_tui.commands.evaluate_policy import (
@@ -31,7 +32,7 @@ from verbteach_tui.conclusion import WrongUseError
 
 if TYPE_CHECKING:
     from verbteach.experiments.jobs import Setup
-    from verbteach_scenarios.grounds import EvaluationData
+    from verbteach_scenarios.grounds import CorpusFolder, EvaluationData
 
 J = TypeVar("J")
 R = TypeVar("R")
@@ -123,14 +124,15 @@ def evaluate(
     The number of processes changes no figure.
     """
     from verbteach.experiments import evaluation
+    from verbteach_scenarios.grounds import CorpusFolder
 
-    if test_data is not None and data is None:
+    if test_data is not None and data is None and source is None:
         raise WrongUseError("--test-data needs --data: what to learn from")
     if grid or tables_only or (out is not None and not mistakes):
         if not grid or data is None or out is None:
             raise WrongUseError(_GRID_NEEDS)
         part = Part(noise, noise_reading, grounding, seed or 0)
-        _grid(data, out, part, tables_only, jobs, as_json)
+        _grid(CorpusFolder(data, test_data), out, part, tables_only, jobs, as_json)
         return
     grounding = grounding or "corpus"
     asked = Question(
@@ -140,11 +142,11 @@ def evaluate(
         _refuse_mistakes(asked, source)
     with progress() as show:
         if source is not None or asked.about_asking:
-            _refuse_she16(
-                {"--criterion": criterion, "--objects": objects, "--test-data": test_data}
-            )
+            _refuse_she16({"--criterion": criterion, "--objects": objects})
             asked.check()
-            found = _data(data, None, show)
+            if source is not None:
+                data, test_data = test_data or data, None
+            found = _data(data, test_data, show)
             if source is not None:
                 document = taught_document(source, asked, found, show)
             elif mistakes:
@@ -174,7 +176,9 @@ _GRID_NEEDS = (
 )
 
 
-def _grid(data: Path, out: Path, part: Part, tables_only: bool, jobs: int, as_json: bool) -> None:
+def _grid(
+    data: CorpusFolder, out: Path, part: Part, tables_only: bool, jobs: int, as_json: bool
+) -> None:
     from verbteach_tui.commands.evaluate_grid import grid
 
     with progress() as show:
@@ -229,7 +233,9 @@ def _data(data: Path | None, test: Path | None, show: Progress) -> EvaluationDat
 
     if data is None:
         return of_lessons(load_lessons(), make_settings())
-    return of_corpus(data, test, lambda done, total: show("reading", done, total))
+    found = of_corpus(data, test, lambda done, total: show("reading", done, total))
+    tell_left_out(found)
+    return found
 
 
 def _grounded(setup: Setup, grounding: str, data: EvaluationData) -> Setup:

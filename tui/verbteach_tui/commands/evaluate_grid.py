@@ -42,7 +42,7 @@ class Part:
 
 
 def grid(
-    data: Path, out: Path, part: Part, mapper: Mapper, *, tables_only: bool = False
+    data: CorpusFolder, out: Path, part: Part, mapper: Mapper, *, tables_only: bool = False
 ) -> dict[str, Any]:
     """Compute what is missing in ``out``, write the tables, and say where they are.
 
@@ -50,9 +50,7 @@ def grid(
     ``tables_only`` nothing is computed and all that is there is taken, and
     the tables say where it comes from.
     """
-    from verbteach_scenarios.grounds import CorpusFolder
-
-    return _Grid(CorpusFolder(data), out, part, mapper).written(tables_only)
+    return _Grid(data, out, part, mapper).written(tables_only)
 
 
 @dataclass(frozen=True)

@@ -33,7 +33,7 @@ def mistakes_document(
     from verbteach.language.wording import Wording
 
     folder = None if out is None else _folder(out)
-    first = asked.config(0)
+    first = asked.config(0, data.apart)
     examiner = Examiner(first)
     document = policy_document(asked, data, show, examiner)
     analyses = {asked.grounding: examiner.analysis()}

@@ -46,17 +46,20 @@ class Question:
             raise WrongUseError(f"a policy that asks is {LEARNED}, {', '.join(RULES)}")
         if self.weights is not None and self.policy not in (None, LEARNED):
             raise WrongUseError(f"--weights is for --policy {LEARNED}")
-        if self.grounding == "own":
-            raise WrongUseError(
-                "--grounding own is for --policy she16; there are corpus and oracle"
-            )
 
-    def config(self, run: int) -> Config:
-        """The configuration of one run."""
+    def config(self, run: int, apart: tuple[str, ...]) -> Config:
+        """The configuration of one run, which tests in ``apart`` where it names environments."""
         from verbteach.experiments.interactive_protocol import Config
 
-        policy = self.policy or LEARNED
-        return Config(policy, self.noise, self.reading, seed=self.seed, run=run)
+        return Config(
+            self.policy or LEARNED,
+            self.noise,
+            self.reading,
+            seed=self.seed,
+            run=run,
+            held_out=apart,
+            together=bool(apart),
+        )
 
 
 def policy_document(
@@ -64,7 +67,9 @@ def policy_document(
 ) -> dict[str, Any]:
     """A policy learns to ask in some rooms, acquires verbs and is tested in the others.
 
-    ``witness`` is told of the first run's test commands.
+    Test data is tested in one go, with nothing of it learned. ``witness`` is
+    told of the first run's test commands. Raises :class:`WrongUseError` where
+    there is too little to learn from.
     """
     from verbteach.experiments.asked_command import unwitnessed
     from verbteach.experiments.figures import Observation
@@ -76,7 +81,8 @@ def policy_document(
     for number in range(asked.runs):
         show("runs", number, asked.runs)
         told = (witness if number == 0 else None) or unwitnessed
-        results.append(run(bench, asked.config(number), policies, staged(show), told))
+        config = asked.config(number, data.apart)
+        results.append(run(bench, config, policies, staged(show), told))
     show("runs", asked.runs, asked.runs)
     learning = [
         [Observation("lessons", sum(one.taught.questions.values()) / max(1, one.taught.dialogues))]
@@ -133,10 +139,9 @@ def staged(show: Progress) -> Callable[[str, int, int, float], None]:
 
 def bench_for(asked: Question, data: EvaluationData) -> Bench:
     """The bench that is asked for."""
-    from verbteach.experiments.interactive_bench import BenchParameters
-    from verbteach_scenarios.benches import bench_of
+    from verbteach_scenarios.benches import bench_grounded
 
-    return bench_of(data, BenchParameters(oracle=asked.grounding == "oracle"))
+    return bench_grounded(data, asked.grounding)
 
 
 def given_policies(asked: Question) -> Policies | None:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, TypeAlias
 
 import typer
 
+from verbteach_tui.commands.corpora import tell_left_out
 from verbteach_tui.commands.parameters import JsonFlag, NoiseReading, SeedOption, chosen
 from verbteach_tui.commands.streams import Progress, emit, note, progress, tell
 from verbteach_tui.conclusion import WrongUseError
@@ -85,13 +86,14 @@ def reproduce(
     if test_data is not None and data is None:
         raise WrongUseError("--test-data needs --data: what to learn from")
     began = time.monotonic()
-    from verbteach_scenarios.laboratories import LaboratorySource
+    from verbteach_scenarios.laboratories import LaboratorySource, evaluation_data
 
     source = LaboratorySource(_whole(data), _whole(test_data), grounding)
     rows_file = _rows_file(out, resume)
     with progress() as show:
         show("reading", 0, 1)
         wanted = _Wanted(target, runs, seed or 0, noise_reading, folds, beside or [], episodes)
+        tell_left_out(evaluation_data(source))
         design = wanted.design(source)
         show("reading", 1, 1)
         report = _swept(design, source, rows_file, Workers(jobs, cluster), show)
