@@ -16,7 +16,7 @@ from tests.tui.test_cli_contract import commands, options_of
 from verbteach import __version__
 from verbteach_tui.cli import COMPLETION_VARIABLE
 from verbteach_tui.commands.examples import EXAMPLES
-from verbteach_tui.conclusion import BUG, INTERRUPTED, concluded
+from verbteach_tui.conclusion import BUG, INTERRUPTED, UNREAD, concluded
 
 
 def test_version_alone_and_beside_other_words_say_the_same() -> None:
@@ -55,6 +55,27 @@ def test_help_is_plain_text_with_examples(name: str) -> None:
     assert ran.status == 0
     assert "Examples:" in ran.out
     assert "\x1b" not in ran.out
+
+
+@pytest.mark.parametrize(
+    ("line", "status", "out", "err"),
+    [
+        ("verbteach <&-", 2, "", "a terminal"),
+        ("verbteach doctor --json >&-", 0, "", ""),
+        ("verbteach scenes list --nothing 2>&-", 2, "", ""),
+        ("(verbteach lessons list; echo $? >&2) | true", 0, "", f"{UNREAD}\n"),
+        ('PYTHONIOENCODING=ascii verbteach parse "wash the caf\u00e9" --json', 0, "caf\\u00e9", ""),
+    ],
+)
+def test_streams_may_be_closed_unread_or_of_an_old_encoding(
+    line: str, status: int, out: str, err: str
+) -> None:
+    shell = f'verbteach() {{ "{sys.executable}" -m verbteach_tui "$@"; }}; {line}'
+    done = subprocess.run(["sh", "-c", shell], capture_output=True, text=True, check=False)
+    assert done.returncode == status
+    assert "Traceback" not in done.stderr
+    assert out in done.stdout
+    assert err in done.stderr
 
 
 def test_an_unknown_command_is_offered_a_near_one() -> None:

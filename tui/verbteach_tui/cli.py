@@ -10,6 +10,8 @@ import os
 import sys
 
 from verbteach import __version__
+from verbteach_tui.conclusion import concluded
+from verbteach_tui.standard_streams import prepare
 
 # Set by a shell that asks for completions, and then there are no words on the command line.
 COMPLETION_VARIABLE = "_VERBTEACH_COMPLETE"
@@ -18,15 +20,14 @@ COMPLETION_VARIABLE = "_VERBTEACH_COMPLETE"
 def main(words: list[str] | None = None) -> int:
     """Run the command line in ``words`` (as given to the process without any); the exit status."""
     words = sys.argv[1:] if words is None else words
+    prepare()
     if words == ["--version"]:
-        print(f"verbteach {__version__}")
-        return 0
+        return concluded(lambda: print(f"verbteach {__version__}"))
     from verbteach_tui.workers import one_thread
 
     one_thread()
     if not words and COMPLETION_VARIABLE not in os.environ:
         from verbteach_tui.commands.home import home
-        from verbteach_tui.conclusion import concluded
 
         return concluded(home)
     from verbteach_tui.commands.tree import run

@@ -7,16 +7,20 @@ such type of the rooms below, and imports them only once something went wrong.
 from __future__ import annotations
 
 import sys
-import traceback
-from collections.abc import Callable
 
+from verbteach_tui.standard_streams import discard_output
 from verbteach_tui.views.visible import shortened
+
+TYPE_CHECKING = False  # typing would take a tenth of what `--version` may take
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 DONE = 0
 CHECK_FAILED = 1
 WRONG_USE = 2
 BUG = 70  # EX_SOFTWARE of sysexits.h: neither the person's doing nor a failed check
 INTERRUPTED = 130
+UNREAD = 141  # what a shell says of a program that wrote into a pipe nobody reads
 
 
 class WrongUseError(Exception):
@@ -43,23 +47,44 @@ def _forget_the_interrupt() -> None:
 
 def _status(command: Callable[[], int | None], name: str) -> int:
     try:
-        return command() or DONE
+        status = command() or DONE
+        _write_out()
+        return status
     except KeyboardInterrupt:
         complain(name, "interrupted")
         return INTERRUPTED
+    except BrokenPipeError:
+        discard_output()
+        return UNREAD
     except Exception as error:
         message = complaint(error)
         if message is not None:
             complain(name, message)
             return WRONG_USE
+        import traceback  # which takes longer to import than `--version` may take as a whole
+
         traceback.print_exc()
         complain(name, "this is a bug in verbteach; please report the lines above")
         return BUG
 
 
+def _write_out() -> None:
+    """Write what is still held back, while the status can say that it cannot be written."""
+    try:
+        sys.stdout.flush()
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        discard_output()
+        raise WrongUseError(f"standard output: {error.strerror}") from error
+
+
 def complain(name: str, message: str) -> None:
-    """Print ``message`` as one line on standard error."""
-    print(f"{name}: {shortened(' '.join(message.split()))}", file=sys.stderr)
+    """Print ``message`` as one line on standard error, if anybody reads that."""
+    try:
+        print(f"{name}: {shortened(' '.join(message.split()))}", file=sys.stderr)
+    except BrokenPipeError:
+        return  # the status says it
 
 
 def complaint(error: Exception) -> str | None:

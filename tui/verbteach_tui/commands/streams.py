@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, Protocol
 
+from verbteach_tui.standard_streams import is_unicode
 from verbteach_tui.views.visible import visible
 
 if TYPE_CHECKING:
@@ -16,7 +17,8 @@ if TYPE_CHECKING:
 
 def emit(document: Any) -> None:
     """Print ``document`` as the one JSON document on standard output."""
-    json.dump(document, sys.stdout, ensure_ascii=False, indent=2, allow_nan=False)
+    escaped = not is_unicode(sys.stdout)
+    json.dump(document, sys.stdout, ensure_ascii=escaped, indent=2, allow_nan=False)
     print()
 
 

@@ -136,6 +136,10 @@ def run(words: list[str]) -> int:
             )
         except typer.TyperException as error:
             raise WrongUseError(_usage(error)) from error
+        except SystemExit as error:
+            if isinstance(error.__context__, BrokenPipeError):  # Typer would say 1, a failed check
+                raise error.__context__ from None
+            raise
         return status if isinstance(status, int) else None
 
     return concluded(command)
