@@ -136,7 +136,7 @@ class ExecutionInquiry:
         """The state with another belief about the room, and the answers so far."""
         believed = self.static | belief.believed()
         pool = self.source.pool(believed, self.pool.chances)
-        number = {literal: index for index, literal in enumerate(pool.literals)}
+        number = pool.numbers
         for old, answer in self.pool.answers:
             if self.pool.literals[old] in number:
                 pool = pool.answered(number[self.pool.literals[old]], answer)
@@ -172,8 +172,7 @@ class ExecutionInquiry:
         Without a plan, which doubt may be the reason of: those about the
         things that what is meant probably speaks of.
         """
-        floor = self.parameters.environment_doubt
-        unsure = [(f, c) for f, c in self.belief.items() if floor < c < 1.0 - floor]
+        unsure = self.belief.doubtful(self.parameters.environment_doubt)
         hinges = self.foresight(self.believed, self.best) if unsure else frozenset()
         wanted = self._relevance() if hinges or hinges is None else {}
         found = []

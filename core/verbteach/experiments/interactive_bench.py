@@ -18,6 +18,7 @@ from verbteach.dialogue.learning_inquiry import LearningInquiry, shown_grounding
 from verbteach.experiments.gold import gold_sequence
 from verbteach.experiments.groundings import Grounder
 from verbteach.experiments.sight import Sight
+from verbteach.experiments.simulated_human import HumanParameters, SimulatedHuman
 from verbteach.experiments.workroom import Workroom, Workrooms
 from verbteach.perception.belief import Belief
 from verbteach.perception.noise import NoiseModel
@@ -76,6 +77,7 @@ class Bench:
 
     def __post_init__(self) -> None:
         self._analogies: dict[tuple[str, Joint], Analogies] = {}
+        self._humans: dict[str, SimulatedHuman] = {}
         self._gold: dict[str, tuple[Action, ...]] = {}
         self._foresights: dict[str, Foresight] = {}
         self._looks: _Looks | None = None
@@ -93,6 +95,14 @@ class Bench:
     def room(self, instance: Instance) -> Workroom:
         """Where an instance takes place."""
         return self.rooms[instance.task_key]
+
+    def human(self, instance: Instance, parameters: HumanParameters) -> SimulatedHuman:
+        """Who teaches an instance and judges it; the last one is kept, with what it has judged."""
+        kept = self._humans.get(instance.id)
+        if kept is None or kept.parameters != parameters:
+            kept = SimulatedHuman(instance, self.room(instance), parameters)
+            self._humans[instance.id] = kept
+        return kept
 
     def gold(self, instance: Instance) -> tuple[Action, ...]:
         """The sequence that plans are compared with."""

@@ -373,8 +373,7 @@ class _Run:
         )
 
     def _human(self, instance: Instance) -> SimulatedHuman:
-        human = self.config.human.teaching(instance.id)
-        return SimulatedHuman(instance, self.bench.room(instance), human)
+        return self.bench.human(instance, self.config.human.teaching(instance.id))
 
 
 def _unwrapped(state: Remembering[ExecutionInquiry]) -> ExecutionInquiry:

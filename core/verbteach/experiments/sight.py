@@ -84,4 +84,4 @@ class Sight:
 def stream(*names: int | str) -> np.random.Generator:
     """A generator of its own for what the names tell apart."""
     digest = sha256("\0".join(map(str, names)).encode()).digest()
-    return np.random.default_rng(np.frombuffer(digest, dtype=np.uint32).tolist())
+    return np.random.default_rng(np.frombuffer(digest, dtype=np.uint32))

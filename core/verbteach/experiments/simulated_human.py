@@ -127,7 +127,16 @@ class SimulatedHuman:
         raise TypeError(f"{act!r} is no yes/no question")
 
     def score(self, actions: Sequence[Action]) -> float:
-        """The SJI of what the actions change in the true world, up to the first that fails."""
+        """The SJI of what the actions change in the true world, up to the first that fails.
+
+        It is remembered: the same few plans are judged over and over.
+        """
+        plan = tuple(actions)
+        if plan not in self._scores:
+            self._scores[plan] = self._score(plan)
+        return self._scores[plan]
+
+    def _score(self, actions: Sequence[Action]) -> float:
         end = self.room.outcome(self.instance.start, actions)
         static = self.room.surroundings.static
         return sji(self.change, StateChange.between(self.instance.start, end, static))
@@ -140,6 +149,10 @@ class SimulatedHuman:
         """Whether an included goal is: planning to it from the true start gives the change."""
         answer = self.room.planner.plan(self.instance.start, goal)
         return isinstance(answer, Plan) and self.right(answer.actions)
+
+    @cached_property
+    def _scores(self) -> dict[tuple[Action, ...], float]:
+        return {}
 
     @cached_property
     def _literals(self) -> Goal:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property, lru_cache
 from typing import TypeAlias
 
 from verbteach.verbs.change import StateChange
@@ -32,7 +33,14 @@ class Workroom:
 
     def changed(self, state: State, actions: Sequence[Action]) -> StateChange:
         """What carrying the actions out changes, up to the first that cannot be done."""
-        bits = self.task.encode(state)
+        return self._changed(self.task.encode(state), tuple(actions))
+
+    @cached_property
+    def _changed(self) -> Callable[[int, tuple[Action, ...]], StateChange]:
+        """Changes are remembered for a while: plans are weighed anew after each answer."""
+        return lru_cache(maxsize=512)(self._change)
+
+    def _change(self, bits: int, actions: tuple[Action, ...]) -> StateChange:
         after, named = self._after(bits, actions), self.task.named
         return StateChange(frozenset(named(after & ~bits)), frozenset(named(bits & ~after)))
 

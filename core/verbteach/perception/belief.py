@@ -63,6 +63,18 @@ class Belief:
         """Fluents with confidence above 0, in their order."""
         return iter(self.confidences.items())
 
+    def doubtful(self, floor: float) -> tuple[tuple[Fluent, float], ...]:
+        """The fluents with confidence above ``floor`` and below one minus that, in their order."""
+        if floor not in self._doubtful:
+            rows = ((f, c) for f, c in self.items() if floor < c < 1.0 - floor)
+            self._doubtful[floor] = tuple(rows)
+        return self._doubtful[floor]
+
+    @cached_property
+    def _doubtful(self) -> dict[float, tuple[tuple[Fluent, float], ...]]:
+        """By the floor: a belief is asked for them after every answer that leaves it as it is."""
+        return {}
+
     def believed(self, threshold: float = BELIEVED) -> State:
         """The fluents strictly above ``threshold``; of exclusive ones only the likeliest."""
         return self._believed if threshold == BELIEVED else self._above(threshold)

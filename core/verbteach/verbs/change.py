@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import Enum
+from functools import cached_property
 
 from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.fluents import Fluent, Goal, Literal, State
@@ -30,7 +31,7 @@ class StateChange:
             frozenset(f for f in start - end if f.predicate not in static),
         )
 
-    @property
+    @cached_property
     def literals(self) -> Goal:
         """The change as a goal: what was added must hold, what was removed must not."""
         return frozenset(

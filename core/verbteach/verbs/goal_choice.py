@@ -77,6 +77,11 @@ class Decision:
         return Edited(self.jaccard, _doubles(either), _doubles(both))
 
     @cached_property
+    def sizes(self) -> Singles:
+        """How many literals each truth has."""
+        return np.asarray(self.truths.sum(1))
+
+    @cached_property
     def _some(self) -> Singles:
         """The union, 1 where there is none: what shares nothing is not alike."""
         return np.maximum(self.union, 1)

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import islice
+from itertools import compress, islice
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,6 +63,30 @@ class PoolParameters:
         return self.fit * self.reliability + (1.0 - self.fit) * (1.0 - self.reliability)
 
 
+class Vocabulary(tuple[Literal, ...]):
+    """The literals of a pool, by number; they stay the same whatever is answered.
+
+    So do their numbers and the goals made of them, which are therefore kept
+    here: a goal's hash, that planners look it up by, is then computed once.
+    """
+
+    @cached_property
+    def numbers(self) -> Mapping[Literal, int]:
+        """The literals' numbers."""
+        return {literal: number for number, literal in enumerate(self)}
+
+    @cached_property
+    def _goals(self) -> dict[bytes, Goal]:
+        return {}
+
+    def goal(self, row: bytes) -> Goal:
+        """The literals of a row as a goal; each byte is 1 where its literal is in, or 0."""
+        goal = self._goals.get(row)
+        if goal is None:
+            goal = self._goals[row] = frozenset(compress(self, row))
+        return goal
+
+
 @dataclass(frozen=True)
 class GoalPool:
     """A belief over hypotheses; values never change.
@@ -74,7 +98,7 @@ class GoalPool:
     """
 
     parameters: PoolParameters
-    literals: tuple[Literal, ...]
+    literals: Vocabulary
     groundings: tuple[tuple[str, ...], ...]
     truths: Bools | Floats
     source: Ints
@@ -137,7 +161,7 @@ class GoalPool:
             row = now.choices[choice] > 0
             if (key := row.tobytes()) not in met:
                 met.add(key)
-                yield self.goal(row), float(now.values[choice])
+                yield self.literals.goal(key), float(now.values[choice])
 
     def goals(self, most: int) -> tuple[tuple[Goal, float], ...]:
         """The ``most`` best goals of :meth:`ranked_goals`."""
@@ -145,7 +169,7 @@ class GoalPool:
 
     def goal(self, row: Bools) -> Goal:
         """The literals of a row as a goal."""
-        return frozenset(self.literals[i] for i in np.flatnonzero(row).tolist())
+        return self.literals.goal(row.tobytes())
 
     def answered(self, literal: int, truth: bool) -> GoalPool:
         """The belief after the teacher said whether a literal should hold."""
@@ -205,17 +229,17 @@ class GoalPool:
 
     def likeness(self, outcome: Goal) -> float:
         """The expected Jaccard index of what an execution would bring about."""
-        now, number = self.decision, self.numbers
+        now, number = self.decision, self.literals.numbers
         row = np.zeros(len(self.literals), dtype=np.float32)
         row[[number[literal] for literal in outcome if literal in number]] = 1.0
         shared = now.truths @ row
-        union = len(outcome) + now.truths.sum(1) - shared
+        union = len(outcome) + now.sizes - shared
         return float(np.where(union > 0, shared / np.maximum(union, 1e-9), 0.0) @ now.chances)
 
-    @cached_property
+    @property
     def numbers(self) -> Mapping[Literal, int]:
         """The literals' numbers."""
-        return {literal: number for number, literal in enumerate(self.literals)}
+        return self.literals.numbers
 
 
 class PoolSource:
@@ -281,7 +305,7 @@ class PoolSource:
         weight = found.share * np.exp(log - (log.max() if len(log) else 0.0))
         return GoalPool(
             self.parameters,
-            tuple(literals[c] for c in order),
+            Vocabulary(literals[c] for c in order),
             self.analogies.groundings,
             truths,
             source,

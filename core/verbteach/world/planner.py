@@ -114,14 +114,13 @@ class SearchPlanner:
         self.relaxed = relaxed or RelaxedTask(task)
         self.engine = engine or PlainEngine(task, self.relaxed)
         self._answers: OrderedDict[tuple[int, Goal], Plan | PlanFailure] = OrderedDict()
-        self._last: tuple[State, int] = (frozenset(), 0)
 
     def plan(self, state: State, goal: Goal) -> Plan | PlanFailure:
         """Plan from ``state`` to a state in which every literal of ``goal`` holds."""
         open_goal = self._open_goal(state, goal)
         if isinstance(open_goal, PlanFailure):
             return open_goal
-        bits = self._bits(state)
+        bits = self.task.encode(state)
         key = (bits, open_goal)
         if key in self._answers:
             self._answers.move_to_end(key)
@@ -130,14 +129,6 @@ class SearchPlanner:
         if len(self._answers) > self.config.remembered:
             self._answers.popitem(last=False)
         return answer
-
-    def _bits(self, state: State) -> int:
-        """The state's bits; it is asked about again and again before it changes."""
-        known, bits = self._last
-        if known is not state:
-            bits = self.task.encode(state)
-            self._last = (state, bits)
-        return bits
 
     def _open_goal(self, state: State, goal: Goal) -> Goal | PlanFailure:
         """Return the literals that actions can change, unless another one rules a plan out."""
@@ -149,7 +140,7 @@ class SearchPlanner:
         lost += [x for x in goal if not x.positive and Literal(x.fluent) in goal]
         if lost:
             return PlanFailure(FailureReason.UNREACHABLE, str(min(lost)))
-        return goal.difference(fixed)
+        return goal.difference(fixed) if fixed else goal  # the same goal has its hash already
 
     def _is_settled(self, literal: Literal, state: State) -> bool:
         """Whether a literal holds that no action touches; static facts are the task's."""

@@ -74,6 +74,7 @@ class Task:
     actions: tuple[GroundAction, ...] = field(init=False)
     bit: Mapping[Fluent, int] = field(init=False, repr=False)
     _by_name: Mapping[Action, GroundAction] = field(init=False, repr=False)
+    _last: tuple[State, int] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         objects = {**self.domain.constants, **self.objects}
@@ -90,6 +91,7 @@ class Task:
             "bit": bit,
             "actions": actions,
             "_by_name": {ground.action: ground for ground in actions},
+            "_last": (frozenset(), 0),
         }
         for name, value in settled.items():
             object.__setattr__(self, name, value)
@@ -101,7 +103,17 @@ class Task:
         return cls(scene.domain, objects, scene.initial)
 
     def encode(self, state: State) -> int:
-        """Return the state's bits; fluents that no action touches are left out."""
+        """Return the state's bits; fluents that no action touches are left out.
+
+        Those of the last state are remembered: it is asked about again and again.
+        """
+        known, bits = self._last
+        if known is not state:
+            bits = self._bits(state)
+            object.__setattr__(self, "_last", (state, bits))
+        return bits
+
+    def _bits(self, state: State) -> int:
         bit = self.bit
         bits = 0
         for fluent in state.difference(self.static):  # most of a state never changes
