@@ -31,6 +31,7 @@ from verbteach_scenarios.errors import WorldFileError
 from verbteach_scenarios.lexicon_file import load_lexicon
 from verbteach_scenarios.tell_me_dave.corpus import Progress, read_corpus
 from verbteach_scenarios.tell_me_dave.documents import Corpus
+from verbteach_scenarios.tell_me_dave.errors import CorpusError
 from verbteach_scenarios.tell_me_dave.instances import instances
 from verbteach_scenarios.tell_me_dave.parting import TEST_DATA, Parting
 from verbteach_scenarios.tell_me_dave.rooms import Rooms
@@ -102,7 +103,7 @@ def of_corpus(
     learned, *tested = [part.instances for part in read]
     away = [_set_apart(part) for part in tested]
     try:
-        folds = held_out(learned, *away) if away else leave_one_environment_out(learned)
+        folds = held_out(learned, *away) if tested else leave_one_environment_out(learned)
     except ValueError as error:
         raise WorldFileError(data, 0, str(error)) from error
     apart = tuple(sorted({one.environment for part in away for one in part}))
@@ -151,6 +152,9 @@ class _Part:
 def _part(corpus: Corpus) -> _Part:
     rooms = Rooms.of(corpus)
     found = tuple(one.instance for one in instances(corpus, rooms=rooms))
+    if not found:
+        reason = "holds no clause with an action and an object that a noun phrase means"
+        raise CorpusError(corpus.folder, 0, reason)
     keys = sorted({instance.task_key for instance in found})
     scenes = {key: rooms.rooms[key].scene(key, frozenset()) for key in keys}
     return _Part(found, {key: rooms.task(key) for key in keys}, scenes)

@@ -57,6 +57,7 @@ def test_documents_come_by_number_and_numbers_may_have_gaps(tmp_path: Path) -> N
     for name in ("12", "3", "100"):
         write_document(tmp_path, name)
     (tmp_path / "LICENSE").write_text("other files are ignored")
+    (tmp_path / "._3.clauses").write_bytes(b"\x00\x05\x16\x07")
     seen: list[tuple[int, int]] = []
     corpus = read_corpus(tmp_path, lambda done, of: seen.append((done, of)))
     assert [d.name for d in corpus.documents] == ["3", "12", "100"]
@@ -70,6 +71,12 @@ def test_line_ends_and_a_byte_order_mark_do_not_matter(tmp_path: Path) -> None:
         text = path.read_text(encoding="utf-8").replace("\n", "\r\n")
         path.write_bytes(b"\xef\xbb\xbf" + text.encode())
     assert read_corpus(tmp_path).documents == plain
+
+
+def test_a_noun_phrase_may_hold_a_parenthesis(tmp_path: Path) -> None:
+    clauses = [(0, 3, "put", "put", "(the cup (left),Mug_1) (sink,Sink)")]
+    command = read_corpus(write_document(tmp_path, clauses=clauses)).documents[0].clauses[0]
+    assert command.mapping == (("the cup (left)", ("Mug_1",)), ("sink", ("Sink",)))
 
 
 def test_what_is_odd_is_noted_with_its_line(tmp_path: Path) -> None:

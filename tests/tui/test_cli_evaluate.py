@@ -183,6 +183,12 @@ def test_one_room_cannot_be_held_out(tmp_path: Path) -> None:
     assert_refused(here("evaluate", "--data", tmp_path), str(tmp_path), "only one")
 
 
+def test_a_folder_without_an_instance_is_named(folder: Path, tmp_path: Path) -> None:
+    write_document(tmp_path, clauses=CLAUSES[2:])
+    words = ("--data", folder, "--test-data", tmp_path)
+    assert_refused(here("evaluate", *words), str(tmp_path), "holds no clause with an action")
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

@@ -12,7 +12,8 @@ from verbteach_scenarios.tell_me_dave.lines import Lines
 
 SUFFIX = ".clauses"
 
-_PAIR = re.compile(r"\(([^()]*),\s*(\w+)\s*\)")
+# A noun phrase may hold a parenthesis of its own, as in "(the mug (left),Mug_1)".
+_PAIR = re.compile(r"\(((?:[^()]|\([^()]*\))*),\s*(\w+)\s*\)")
 _FRAME = re.compile(r"(?P<verb>[^\[]*)\[(?P<phrases>.*?)\|?\s*relation:.*\]", re.DOTALL)
 
 

@@ -15,7 +15,10 @@ Progress: TypeAlias = Callable[[int, int], None]
 
 
 def read_corpus(folder: Path, progress: Progress | None = None) -> Corpus:
-    """Read every document of ``folder``, in the order of their numbers; other files are ignored.
+    """Read every document of ``folder``, in the order of their numbers.
+
+    Other files are ignored, and those whose names begin with a dot: some
+    computers leave such a one beside each file that they copy.
 
     Raise ``CorpusError`` for a folder without documents, for a document of
     which one file is missing, and for a file that is torn, with its line.
@@ -34,7 +37,8 @@ def read_corpus(folder: Path, progress: Progress | None = None) -> Corpus:
 
 def _names(folder: Path) -> list[str]:
     try:
-        files = sorted(path for path in folder.iterdir() if path.is_file())
+        found = (path for path in folder.iterdir() if not path.name.startswith("."))
+        files = sorted(path for path in found if path.is_file())
     except OSError as problem:
         raise CorpusError(folder, 0, f"cannot be read: {problem.strerror}") from problem
     halves = {
