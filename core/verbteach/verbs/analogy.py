@@ -25,6 +25,10 @@ Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 
 
+POSSIBLE = 2
+"""The column of ``alike`` that says how much of a change is possible."""
+
+
 class Transfer(NamedTuple):
     """One example bound to one command: a row for each way to bind it.
 

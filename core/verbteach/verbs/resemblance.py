@@ -24,14 +24,17 @@ class Said(NamedTuple):
 
 @dataclass(frozen=True)
 class Kernel:
-    """What each likeness weighs; chosen on every second environment of the shared corpus.
+    """What each likeness weighs; the values that are used are those of ``PoolParameters``.
 
     Of the words: ``verb`` the same verb, ``arity`` as many phrases, ``slots``
     words shared phrase by phrase, ``words`` words shared with any phrase. Of
     the binding: ``objects`` phrases with a shared word that mean the very same
     object, ``kinds`` arguments that afford the same, ``possible`` the share of
-    the change that some action could bring about here (0 in records that do
-    not have it), ``open`` the share that is still to be brought about.
+    the change that some action could bring about here, ``open`` the share
+    that is still to be brought about, ``hand`` whether the change speaks of
+    what the robot holds; with it a change that lets go of a thing is also
+    bound to the held one. Records from before there were ``possible`` and
+    ``hand`` are read with the defaults, without them.
     """
 
     verb: float = 3.0
@@ -42,6 +45,7 @@ class Kernel:
     kinds: float = 2.5
     possible: float = 0.0
     open: float = 1.5
+    hand: float = 0.0
 
     @property
     def of_words(self) -> NDArray[np.float64]:
@@ -50,7 +54,7 @@ class Kernel:
 
     @property
     def of_bindings(self) -> NDArray[np.float64]:
-        """Weights of ``objects``, ``kinds``, ``possible`` and ``open``."""
+        """Weights of ``objects``, ``kinds``, ``possible``, ``open`` and ``hand``."""
         return np.array(astuple(self)[4:])
 
 
