@@ -13,6 +13,7 @@ from verbteach.dialogue.moves import Phase
 from verbteach.world.plan import Action
 from verbteach_sessions import session_acts
 from verbteach_sessions.script import LineSyntaxError, ScriptAct, parse_line
+from verbteach_sessions.session_acts import Quit
 from verbteach_tui.keyguard import KeyGuard
 from verbteach_tui.keys import ALSO, ANSWERS, ANYTIME, answer_keys, word_of
 from verbteach_tui.reading import Reader
@@ -152,3 +153,28 @@ def test_a_key_that_repeats_does_so_but_not_within_a_word() -> None:
     assert [guard.typing(c, 9.0, repeats=c in "lei") for c in "lie"] == [False, True, True]
     assert guard.typing("e", 9.2, repeats=True), "the word goes on"
     assert not guard.typing("e", 10.0, repeats=True)
+
+
+@pytest.mark.parametrize(
+    ("line", "act"),
+    [
+        ("/quit", Quit()),
+        ("/scene: kitchen-3", acts.GoToScene("kitchen-3")),
+        ("/scene kitchen-3", acts.GoToScene("kitchen-3")),
+        ("scene kitchen-3", acts.GoToScene("kitchen-3")),
+        ("Go to living-room-2.", acts.GoToScene("living-room-2")),
+        ("go to the sink", acts.Command("go to the sink")),
+        ("go to plate 3", acts.Command("go to plate 3")),
+        ("/boil the water", acts.Command("boil the water")),
+        ("/", acts.Command("/")),
+    ],
+)
+def test_words_may_begin_with_a_slash_and_rooms_be_named_as_they_are_called(
+    line: str, act: ScriptAct
+) -> None:
+    assert Reader(Phase.COMMAND).read(line) == act
+
+
+def test_a_room_is_no_answer() -> None:
+    assert Reader(Phase.EXECUTION).read("go to kitchen-3") == acts.Say("go to kitchen-3")
+    assert Reader(Phase.EXECUTION).read("/yes") == acts.Yes()

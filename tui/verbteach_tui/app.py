@@ -199,8 +199,17 @@ class VerbteachApp(App[None]):
             self.exit()
 
     def on_session_left(self, message: SessionLeft) -> None:
-        """The person has left a session: home, or out where there is no home screen."""
-        self.run_worker(message.teaching.close, thread=True, exit_on_error=False)
+        """The person has left a session: on once it is let go, so that home finds it free."""
+        self.run_worker(partial(self._let_go, message), thread=True, exit_on_error=False)
+
+    def _let_go(self, message: SessionLeft) -> None:
+        try:
+            message.teaching.close()
+        finally:
+            self.call_from_thread(self._go_on, message)
+
+    def _go_on(self, message: SessionLeft) -> None:
+        """Home, or out where there is no home screen."""
         if message.then is not None:
             message.then()
         elif isinstance(self.options.opening, OpenHome):

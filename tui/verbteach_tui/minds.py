@@ -30,16 +30,16 @@ def mind_of(
     """The mind as it stands; probabilities that differ from ``previous`` say what they were."""
     episode = state.episode
     verbs = known_verbs(state.knowledge, learned_from, words)
-    promised = promise.text if promise else ""
+    promised = (promise.text, promise.short) if promise else ("", "")
     if episode is None:
-        return Mind(verbs=verbs, promise=promised)
+        return Mind((), (), (), verbs, *promised)
     before = {belief.phrase: belief for belief in previous.phrases} if previous else {}
     return Mind(
         _phrases(episode.grounding, labels, before),
         _goals(episode.goals, speech),
         _acts(state.turn.decisions[-1], speech) if state.turn.decisions else (),
         verbs,
-        promised,
+        *promised,
     )
 
 

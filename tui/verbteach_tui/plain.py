@@ -6,6 +6,8 @@ import os
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
+from shutil import get_terminal_size
+from textwrap import wrap
 from typing import TYPE_CHECKING, Protocol, TextIO
 
 from verbteach_tui.views.visible import visible
@@ -143,7 +145,14 @@ def _prompt(talk: Conversation, out: TextIO) -> Callable[[str], str]:
 
 def _print(out: TextIO, lines: Iterable[str]) -> None:
     for line in lines:
-        print(line, file=out, flush=True)
+        print(_broken(line) if out.isatty() else line, file=out, flush=True)
+
+
+def _broken(line: str) -> str:
+    """The line as a terminal's rows: it would break within words, and readers speak by the row."""
+    width = max(get_terminal_size().columns - 1, 20)
+    rows = wrap(line, width, break_long_words=False, break_on_hyphens=False)
+    return "\n".join(rows)
 
 
 def _lenient(stream: TextIO) -> TextIO:

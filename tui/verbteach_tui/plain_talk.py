@@ -17,6 +17,7 @@ from verbteach_sessions.session import Session
 from verbteach_sessions.session_acts import Flag, Note, Quit, Redo, Repeat, Undo, Why
 from verbteach_tui import plain_words
 from verbteach_tui.observer import Observer
+from verbteach_tui.reading import without_slash
 from verbteach_tui.snapshot import Snapshot
 from verbteach_tui.spoken import price_text
 from verbteach_tui.teaching import REFUSALS
@@ -73,7 +74,7 @@ class Talk:
     def hear(self, line: str, via: str) -> list[str]:
         """Take a line the person said; answer with the lines to print. Raises ``MisfitError``."""
         text = line.strip()
-        local = self._local(text)
+        local = self._local(without_slash(text))
         if local is not None:
             return local
         try:

@@ -11,6 +11,7 @@ from collections.abc import Collection, Iterable, Sequence
 from verbteach.dialogue.moves import Phase
 from verbteach_tui.keys import answer_keys, anytime
 from verbteach_tui.snapshot import Snapshot
+from verbteach_tui.views.dialogue import SPEAKERS
 from verbteach_tui.views.marks import Mark
 from verbteach_tui.views.picture import Picture, Thing
 from verbteach_tui.views.visible import visible
@@ -25,6 +26,8 @@ LOCAL = {
     "shown": "the steps you have shown, numbered, and what they have changed",
 }
 """Words that only the plain mode knows; they are not for the robot and leave no record."""
+
+_READ_BACK = "say y if that is right, n if not; a number strikes that part, or keeps it after all."
 
 _ANSWER = (
     "Answer in words, or with one of these. "
@@ -47,15 +50,13 @@ _ASKS = {
 
 
 def hint(snapshot: Snapshot) -> list[str]:
-    """The numbered choices of the moment."""
+    """The numbered choices of the moment, and where there are parts of a goal, what to do."""
     if snapshot.choices:
         labels = snapshot.depictor.labels
         return [f"{digit}. {labels[thing]}" for digit, thing in snapshot.choices.items()]
     if snapshot.phase is Phase.READ_BACK:
-        return [
-            f"{number}. {part.must if part.kept else part.need_not}"
-            for number, part in enumerate(snapshot.parts, 1)
-        ]
+        parts = [part.must if part.kept else part.need_not for part in snapshot.parts]
+        return [*numbered(parts), f"{SPEAKERS['note']}: {_READ_BACK}"] if parts else []
     return []
 
 

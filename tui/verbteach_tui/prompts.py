@@ -36,6 +36,16 @@ PROMPTS: Mapping[Phase, Prompt] = {
 }
 
 
+_MORE_STEPS = 'Type the next step; "that\'s it" ends'
+
+
+def prompt_of(snapshot: Snapshot) -> Prompt:
+    """What is asked for now; once something was shown, how to end as well."""
+    prompt = PROMPTS[snapshot.phase]
+    more = snapshot.phase is Phase.DEMONSTRATION and snapshot.shown
+    return prompt._replace(placeholder=_MORE_STEPS) if more else prompt
+
+
 ABOUT: Mapping[Phase, str] = {
     Phase.COMMAND: (
         "The robot waits for a command. Type what it should do and press Enter. A verb it does not "

@@ -23,7 +23,19 @@ _ALWAYS = frozenset(key.word for key in ANYTIME) | {"quit"}
 _PLACED = re.compile(r"insert:?\s*(?P<at>\d{1,4})\s*:?\s+(?P<step>.+)")
 """As in: insert 2 go to the sink."""
 
+_ROOM = re.compile(
+    r"(?:scene\s+(?P<named>\S+)|go\s+to\s+(?P<numbered>[a-z]+(?:-[a-z0-9]+)*-\d+))[.!]?",
+    re.IGNORECASE,
+)
+"""A scene as a person may name it: scene kitchen-3; go to kitchen-3, as the dialogue has it."""
+
 _VERDICTS: Mapping[ScriptAct, ScriptAct] = {acts.Yes(): acts.Good(), acts.No(): acts.Bad()}
+
+
+def without_slash(line: str) -> str:
+    """What was typed, without the slash that words begin with elsewhere, as in: /quit."""
+    text = line.strip()
+    return text.lstrip("/").lstrip() or text
 
 
 @dataclass(frozen=True)
@@ -43,7 +55,7 @@ class Reader:
 
         Raises ``LineSyntaxError`` where a word of the script is used wrongly.
         """
-        text = line.strip()
+        text = without_slash(line)
         if not text:
             return None
         if self.phase is Phase.COMMAND:
@@ -56,12 +68,15 @@ class Reader:
         return act
 
     def _command(self, text: str) -> ScriptAct | None:
-        """A word of the session, a line with a prefix, else a command to the letter."""
+        """A word of the session, a line with a prefix, a room, else a command to the letter."""
         if any(text == key.key for key in anytime()):
             return self._word(text)
         prefix, colon, _ = text.partition(":")
         if text in _ALWAYS or (colon and prefix.strip() in PREFIXES):
             return parse_line(text)
+        room = _ROOM.fullmatch(text)
+        if room:
+            return acts.GoToScene((room["named"] or room["numbered"]).lower())
         return acts.Command(text)
 
     def _word(self, text: str) -> ScriptAct | None:

@@ -68,6 +68,11 @@ class Promise:
             f" calibrated on {self.lessons} lessons"
         )
 
+    @property
+    def short(self) -> str:
+        """The promise in two words."""
+        return f"promised {self.rate:.0%}"
+
     def covers(self, candidates: Sequence[Candidate]) -> bool:
         """Whether carrying out the last of a phase's candidate acts keeps the promise."""
         now = self.sureness.now(candidates)

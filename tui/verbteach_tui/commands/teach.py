@@ -391,4 +391,4 @@ def _conclude(beginning: Beginning, as_json: bool) -> None:
 def _shown(value: object) -> object:
     if isinstance(value, dict):
         return ", ".join(f"{count} {name}" for name, count in value.items()) or "none"
-    return ", ".join(value) if isinstance(value, list) else value
+    return (", ".join(value) or "none") if isinstance(value, list) else value

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Annotated, TypeAlias
+from functools import cache
+from typing import Annotated, Any, TypeAlias
 
 import typer
 
@@ -103,6 +104,12 @@ def build() -> typer.Typer:
     return app
 
 
+@cache
+def command_line() -> Any:
+    """The same as the command that runs; read from all signatures, so made once."""
+    return typer.main.get_command(build())
+
+
 def _group(path: str, about: str) -> typer.Typer:
     return typer.Typer(
         help=about,
@@ -131,9 +138,7 @@ def run(words: list[str]) -> int:
 
     def command() -> int | None:
         try:
-            status = typer.main.get_command(build()).main(
-                words, prog_name=NAME, standalone_mode=False
-            )
+            status = command_line().main(words, prog_name=NAME, standalone_mode=False)
         except typer.TyperException as error:
             raise WrongUseError(_usage(error)) from error
         except SystemExit as error:

@@ -62,6 +62,7 @@ class HomeScreen(Screen[None]):
     ) -> None:
         super().__init__()
         self._scenes, self._load, self._sessions = scenes, load, sessions
+        self._entries: Sequence[Entry] = ()
 
     def compose(self) -> ComposeResult:
         """A greeting, the scenes, the sessions."""
@@ -77,7 +78,14 @@ class HomeScreen(Screen[None]):
 
     def on_mount(self) -> None:
         """The scenes have the keys."""
-        self.query_one(SceneChooser).take_focus()
+        chooser = self.query_one(SceneChooser)
+        chooser.entering = "Enter begins"
+        chooser.take_focus()
+
+    @property
+    def idle_actions(self) -> frozenset[str]:
+        """What would do nothing now: there may be no session yet."""
+        return frozenset() if self._entries else frozenset({"play_back", "sessions"})
 
     def on_screen_resume(self) -> None:
         """Sessions may have come or grown since."""
@@ -90,7 +98,9 @@ class HomeScreen(Screen[None]):
         self.app.call_from_thread(self._show_sessions, entries)
 
     def _show_sessions(self, entries: Sequence[Entry]) -> None:
-        sessions = self.query_one("#sessions", OptionList)
+        sessions, self._entries = self.query_one("#sessions", OptionList), entries
+        sessions.border_subtitle = "Enter goes on, p plays it back" if entries else ""
+        self.refresh_bindings()
         if entries:
             sessions.set_options(Option(_label(one), id=str(one.path)) for one in entries)
             sessions.highlighted = 0
@@ -125,13 +135,14 @@ class HomeScreen(Screen[None]):
 
 
 def _label(entry: Entry) -> Content:
-    """As in: 22 Nov 03:12  kitchen-1  3 commands  boil, fill."""
+    """As in: 22 Nov 03:12  kitchen-1  3 commands  boil, fill; its name where it says no more."""
     when = _local_time(entry.created, datetime.now().astimezone().year)
-    if entry.problem:
+    if not entry.scene:
         return Content(f"✗ {visible(entry.id)}  {visible(entry.problem)}")
     commands = f"{entry.episodes} command{'s' * (entry.episodes != 1)}"
     verbs = visible(", ".join(entry.verbs_learned)) or "no verb yet"
-    return Content(f"{when}  {visible(entry.scene):13}  {commands:11}  {verbs}")
+    but = f"  ✗ {visible(entry.problem)}" if entry.problem else ""
+    return Content(f"{when}  {visible(entry.scene):13}  {commands:11}  {verbs}{but}")
 
 
 def _local_time(created: str, this_year: int) -> str:

@@ -76,11 +76,16 @@ class PanelScreen(RoomScreen):
         # What is said of a step that was seen stands among the steps, too.
         self.query_one(LatestWords).show_lines(snapshot.lines, 1 if snapshot.shown else 2)
         self.query_one(MindView).show_mind(snapshot.mind)
-        self.query_one(TitleBar).show_title(snapshot.scene, snapshot.figures.texts)
+        self.query_one(TitleBar).show_title(snapshot.scene, self._figures(snapshot))
         on_stage = self.query_one(Stage).show_snapshot(snapshot, played, speed)
         if not played:
             self.show_moment(snapshot.moment)
         return on_stage
+
+    def _figures(self, snapshot: Snapshot) -> tuple[str, ...]:
+        """What the session has come to, after what the robot promises; that is of its mind."""
+        promised = snapshot.mind.promised if "mind" not in self.hidden else ""
+        return (*([promised] if promised else []), *snapshot.figures.texts)
 
     # ---- what is in view, which the record keeps
 

@@ -26,7 +26,7 @@ from verbteach_tui.messages import (
     WordSaid,
     WorkFailed,
 )
-from verbteach_tui.prompts import ABOUT, PROMPTS, TYPING, bar_of
+from verbteach_tui.prompts import ABOUT, TYPING, bar_of, prompt_of
 from verbteach_tui.screens.answering import AnsweringScreen
 from verbteach_tui.screens.failure import FailureScreen
 from verbteach_tui.screens.panels import TABS
@@ -97,8 +97,8 @@ class TeachScreen(AnsweringScreen):
 
     @property
     def idle_actions(self) -> frozenset[str]:
-        """What would do nothing now: other scenes within a command, undo at the beginning."""
-        idle = set() if self.snapshot.phase is Phase.COMMAND else {"scenes"}
+        """What would do nothing now: the robot's view or another scene, undo at the beginning."""
+        idle = {"belief" if self.snapshot.phase is Phase.COMMAND else "scenes"}
         if not self.snapshot.can_undo:
             idle |= {"word('undo')", "turns"}
         return frozenset(idle)
@@ -106,7 +106,7 @@ class TeachScreen(AnsweringScreen):
     def _expect(self, snapshot: Snapshot) -> None:
         """Put the keys where this kind of turn is answered."""
         line = self.query_one(CommandInput)
-        prompt = PROMPTS[snapshot.phase]
+        prompt = prompt_of(snapshot)
         line.expect(prompt.placeholder, prompt.example, self._completion)
         line.stays = snapshot.phase is Phase.COMMAND
         went_on = self._went_on_typing(snapshot)
@@ -172,10 +172,10 @@ class TeachScreen(AnsweringScreen):
 
     def on_turn_taken(self, message: TurnTaken) -> None:
         """The robot has answered."""
-        self.settled()
-        if message.snapshot.ended:
+        if message.snapshot.ended:  # nothing can be said any more, so it is never settled
             self.post_message(SessionLeft(self.teaching, self._after_leaving))
             return
+        self.settled()
         before = self._phase
         self._show(message.snapshot, message.played)
         self.say_what_was_typed_ahead(before)

@@ -69,13 +69,18 @@ class KnownVerb(NamedTuple):
 
 @dataclass(frozen=True)
 class Mind:
-    """All of it at one moment. ``promise`` says what it promises of its executions, if anything."""
+    """All of it at one moment.
+
+    ``promise`` says what it promises of its executions, if anything, and ``promised`` the same
+    in two words.
+    """
 
     phrases: tuple[PhraseBelief, ...] = ()
     goals: tuple[GoalBelief, ...] = ()
     acts: tuple[ActValue, ...] = ()
     verbs: tuple[KnownVerb, ...] = ()
     promise: str = ""
+    promised: str = ""
 
 
 def mind_rows(mind: Mind, width: int) -> list[Row]:

@@ -27,6 +27,8 @@ class Foot(RowsView, can_focus=False):
         {"leave", "dismiss", "stay", "cancel", "app.quit"}
     )
 
+    ROOMS: ClassVar[frozenset[str]] = frozenset({"scenes"})
+
     def on_mount(self) -> None:
         """Follow the bindings as the focus moves."""
         self.screen.bindings_updated_signal.subscribe(self, self._changed)
@@ -49,10 +51,12 @@ class Foot(RowsView, can_focus=False):
         self.show_once(order, lambda width: [_row(order, width)])
 
     def _rank(self, action: str) -> int:
-        """Help and the palette come first, then the way out; the others follow as declared."""
+        """Help and the palette first, the way out, other rooms; the others follow as declared."""
         if action in self.FIRST:
             return self.FIRST.index(action)
-        return len(self.FIRST) + (action.partition("(")[0] not in self.WAYS_OUT)
+        name = action.partition("(")[0]
+        after = 0 if name in self.WAYS_OUT else 1 if name in self.ROOMS else 2
+        return len(self.FIRST) + after
 
 
 def _row(keys: list[tuple[str, str]], width: int) -> Row:

@@ -21,10 +21,11 @@ class LatestWords(RowsView, can_focus=False):
     def show_lines(self, lines: Sequence[DialogueLine], most: int = 2) -> None:
         """Show what the robot said since somebody else spoke, at the end of ``lines``.
 
-        It takes at most so many rows; the dialogue has all of it.
+        It takes at most so many rows, and where that is one, of several things said the last;
+        the dialogue has all of it.
         """
-        latest = takewhile(lambda line: line.speaker == "robot", reversed(lines))
-        said = " ".join(reversed([line.text for line in latest]))
+        latest = list(takewhile(lambda line: line.speaker == "robot", reversed(lines)))
+        said = " ".join(line.text for line in reversed(latest[:1] if most == 1 else latest))
         self.show_once((said, most), lambda width: _rows(said, width, most))
 
     def redrawn(self) -> None:

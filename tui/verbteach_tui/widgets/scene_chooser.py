@@ -76,6 +76,15 @@ class SceneChooser(Horizontal):
                 self._scenes.index(self._current) if self._current in self._scenes else 0
             )
 
+    @property
+    def entering(self) -> str:
+        """How a scene is entered, in words below the list."""
+        return str(self.query_one("#scene-list").border_subtitle)
+
+    @entering.setter
+    def entering(self, words: str) -> None:
+        self.query_one("#scene-list").border_subtitle = words
+
     def take_focus(self) -> None:
         """Put the keys into the list."""
         self.query_one("#scene-list").focus()
