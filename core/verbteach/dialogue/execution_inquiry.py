@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache, partial
 from itertools import islice
 
 import numpy as np
@@ -36,6 +36,7 @@ from verbteach.dialogue.inquiry import (
     joint_chances,
     settle,
 )
+from verbteach.dialogue.late_features import LateFeatures
 from verbteach.perception.belief import Belief
 from verbteach.verbs.pool import GoalPool, PoolSource
 from verbteach.world.fluents import Goal, Literal, State
@@ -74,7 +75,7 @@ class ExecutionInquiry:
     ) -> ExecutionInquiry:
         """Take a command in."""
         chances = joint_chances(grounding, source.analogies.groundings)
-        believed = static | belief.believed()
+        believed = _state(static, belief.believed())
         pool = source.pool(believed, chances)
         chosen = parameters or InquiryParameters()
         return cls(source, static, believed, belief, grounding, pool, chosen, foresight)
@@ -109,7 +110,8 @@ class ExecutionInquiry:
             return (Candidate(shown, {"request_demonstration": 1.0}),)
         found: list[Candidate] = []
         if len(self.asked) < self.parameters.cap:
-            found = candidates(self._questions(), self._asking())
+            asking = self._asking()
+            found = [*candidates(self._questions(), asking), *self._goal_questions(asking)]
         return (*found, self._selection())
 
     def after(self, act: RobotAct, reply: Reply) -> ExecutionInquiry:
@@ -134,7 +136,7 @@ class ExecutionInquiry:
 
     def believing(self, belief: Belief) -> ExecutionInquiry:
         """The state with another belief about the room, and the answers so far."""
-        believed = self.static | belief.believed()
+        believed = _state(self.static, belief.believed())
         pool = self.source.pool(believed, self.pool.chances)
         number = pool.numbers
         for old, answer in self.pool.answers:
@@ -150,7 +152,6 @@ class ExecutionInquiry:
             if gain >= self.parameters.object_gain:
                 yield act, {**features, "ask.gain": gain}
         yield from self._environment_questions()
-        yield from self._goal_questions()
 
     def _grounding_gain(self, act: RobotAct) -> float:
         groundings = self.pool.groundings
@@ -206,18 +207,19 @@ class ExecutionInquiry:
                     wanted[word] = max(wanted.get(word, 0.0), chance)
         return wanted
 
-    def _goal_questions(self) -> Iterator[tuple[RobotAct, dict[str, float]]]:
+    def _goal_questions(self, asking: dict[str, float]) -> Iterator[Candidate]:
         open_ones = self._open_literals()
-        gains = self.pool.literal_gains(open_ones)
-        for number, gain in zip(open_ones, gains.tolist(), strict=True):
+        gains = _Gains(self.pool, tuple(open_ones))
+        for place, number in enumerate(open_ones):
             chance = self.pool.yes_chance(number)
             features = {
                 "goal_pred_ynq": 1.0,
                 "goal_pred_ynq.probability": chance,
                 "goal_pred_ynq.doubt": doubt(chance),
-                "ask.gain": gain,
+                **asking,
             }
-            yield GoalPredYnq(self.pool.literals[number]), features
+            late = LateFeatures(features, partial(gains.of, place))
+            yield Candidate(GoalPredYnq(self.pool.literals[number]), late)
 
     def _open_literals(self) -> list[int]:
         """The numbers of the most doubtful literals that nothing was asked about."""
@@ -264,6 +266,32 @@ class ExecutionInquiry:
     def _holding(self, literal: Literal) -> float:
         confidence = self.belief[literal.fluent]
         return confidence if literal.positive else 1.0 - confidence
+
+
+@dataclass(frozen=True)
+class _Gains:
+    """What asking about some of a pool's literals is worth, worked out for all of them at once.
+
+    It does not hold the inquiry, which holds its candidates.
+    """
+
+    pool: GoalPool
+    literals: tuple[int, ...]
+
+    @cached_property
+    def _values(self) -> list[float]:
+        values: list[float] = self.pool.literal_gains(self.literals).tolist()
+        return values
+
+    def of(self, place: int) -> dict[str, float]:
+        """The feature of the literal at that place."""
+        return {"ask.gain": self._values[place]}
+
+
+@lru_cache(maxsize=128)
+def _state(static: State, believed: State) -> State:
+    """All that is taken for true: the same object each time, whose hash is then known."""
+    return static | believed
 
 
 FEATURES: dict[str, str] = {

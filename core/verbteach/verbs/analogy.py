@@ -89,7 +89,7 @@ class Analogies:
         self._ways: dict[tuple[str, ...], list[_Way]] = {}
         self._of_goal: dict[Goal, list[int]] = {}
         self._transfers: dict[Pattern, Transfer] = {}
-        self._alike: dict[Said, tuple[float, float, float, float]] = {}
+        self._alike: Floats = np.zeros((0, 4))
         self._last: tuple[Memory, Floats] | None = None
 
     def gathered(self, memory: Memory, kernel: Kernel, most: int) -> Gathered:
@@ -108,13 +108,18 @@ class Analogies:
     def _table(self, memory: Memory) -> Floats:
         """The likenesses of each of the memory's commands; the last memory's are kept."""
         if self._last is None or self._last[0] is not memory:
-            known = self._alike
-            for said in memory.commands:
-                if said not in known:
-                    known[said] = likeness(self.said, said)
-            table = np.array([known[said] for said in memory.commands]).reshape(-1, 4)
-            self._last = memory, table
+            self._last = memory, self._likenesses(memory)
         return self._last[1]
+
+    def _likenesses(self, memory: Memory) -> Floats:
+        """The same from what is known, by number: memories mostly have the same commands."""
+        numbers = memory.numbers
+        more = int(numbers.max(initial=-1)) + 1 - len(self._alike)
+        if more > 0:
+            self._alike = np.concatenate([self._alike, np.full((more, 4), np.nan)])
+        for place in np.flatnonzero(np.isnan(self._alike[numbers, 0])).tolist():
+            self._alike[numbers[place]] = likeness(self.said, memory.commands[place])
+        return np.asarray(self._alike[numbers])
 
     def number(self, literal: Literal) -> int:
         """The literal's number, a new one if it has none."""

@@ -83,6 +83,11 @@ class Memory:
         return tuple(dict.fromkeys(example.said for example in self.examples))
 
     @cached_property
+    def numbers(self) -> NDArray[np.int64]:
+        """The distinct commands' numbers: see ``Said.number``."""
+        return np.array([said.number for said in self.commands], dtype=np.int64)
+
+    @cached_property
     def command_of(self) -> NDArray[np.int64]:
         """Each example's command, as an index."""
         number = {said: index for index, said in enumerate(self.commands)}

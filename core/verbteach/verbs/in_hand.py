@@ -8,6 +8,7 @@ thing which is not held is offered for the held thing as well.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -35,8 +36,12 @@ class Handed(NamedTuple):
     possible: NDArray[np.float64]
 
 
+@lru_cache(maxsize=128)
 def held_things(state: State) -> tuple[str, ...]:
-    """What is held where ``state`` is believed, sorted."""
+    """What is held where ``state`` is believed, sorted.
+
+    A state is met again with each memory of demonstrations.
+    """
     return tuple(sorted(f.args[HOLDING[f.predicate]] for f in state if f.predicate in HOLDING))
 
 

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import compress, islice
 
 import numpy as np
@@ -275,10 +275,11 @@ class PoolSource:
         the place it is believed to be at.
         """
         found = self._gathered
-        numbers, columns = np.unique(found.literals, return_inverse=True)
-        literals = [self.analogies.literals[n] for n in numbers.tolist()]
+        spoken_of = np.zeros(len(self.analogies.literals), dtype=bool)
+        spoken_of[found.literals] = True
+        literals = list(compress(self.analogies.literals, spoken_of.tolist()))
         bound = np.zeros((len(found.grounding), len(literals)), dtype=bool)
-        bound[found.row, columns] = True
+        bound[found.row, (np.cumsum(spoken_of) - 1)[found.literals]] = True
         held = held_things(state) if self.parameters.kernel.hand else ()
         if held:
             literals, bound, found = self._with_held(literals, bound, held)
@@ -306,9 +307,7 @@ class PoolSource:
     ) -> tuple[list[Literal], Bools]:
         """Add what ceases because a thing comes to another place."""
         places = self.parameters.places
-        now: dict[str, list[Fluent]] = {}
-        for fluent in sorted(f for f in state if f.predicate in places):
-            now.setdefault(fluent.args[places[fluent.predicate]], []).append(fluent)
+        now = _whereabouts(state, tuple(sorted(places.items())))
         index = {literal: column for column, literal in enumerate(literals)}
         leaves: list[tuple[int, int]] = []
         for column, (fluent, positive) in enumerate(tuple(literals)):
@@ -354,6 +353,18 @@ class PoolSource:
             chances,
             np.ones(len(truths)),
         )
+
+
+@lru_cache(maxsize=128)
+def _whereabouts(
+    state: State, places: tuple[tuple[str, int], ...]
+) -> Mapping[str, Sequence[Fluent]]:
+    """What says where each thing is; a state is met again with each memory of demonstrations."""
+    argument = dict(places)
+    found: dict[str, list[Fluent]] = {}
+    for fluent in sorted(f for f in state if f.predicate in argument):
+        found.setdefault(fluent.args[argument[fluent.predicate]], []).append(fluent)
+    return found
 
 
 def _summed(index: Ints, values: Floats, size: int) -> Floats:

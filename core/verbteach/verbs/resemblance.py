@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import astuple, dataclass
 from functools import lru_cache
+from itertools import count
 from typing import NamedTuple
 
 import numpy as np
@@ -20,6 +21,16 @@ class Said(NamedTuple):
 
     verb: str
     phrases: tuple[str, ...]
+
+    @property
+    def number(self) -> int:
+        """What tables have the command's row at: a number of its own in this process."""
+        known = _NUMBERS.get(self)
+        return _NUMBERS.setdefault(self, next(_UNUSED)) if known is None else known
+
+
+_NUMBERS: dict[Said, int] = {}
+_UNUSED = count()
 
 
 @dataclass(frozen=True)
@@ -58,7 +69,7 @@ class Kernel:
         return np.array(astuple(self)[4:])
 
 
-@lru_cache(maxsize=1 << 20)
+@lru_cache(maxsize=1 << 16)
 def likeness(said: Said, known: Said) -> tuple[float, float, float, float]:
     """Return the likenesses of words: verb, arity, slots, words."""
     longer = max(len(said.phrases), len(known.phrases), 1)
