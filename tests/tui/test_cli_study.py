@@ -60,6 +60,9 @@ def test_a_participant_by_the_command_line_status_and_answers(tmp_path: Path) ->
     assert table[1]["answer_effort"] == "100"
     assert table[1]["answer_temporal_demand"] == ""
     assert table[1]["why"] == "tasks"
+    written = tmp_path / "answers.csv"
+    both = here("study", "answers", "--sessions", records, "--out", written, "--json").document
+    assert len(both["rows"]) == len(written.read_text("utf-8").splitlines()) - 1
     assert here("sessions", "validate", records / "pppp").status == 0
 
 

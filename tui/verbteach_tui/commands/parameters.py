@@ -25,6 +25,19 @@ def chosen(values: Sequence[str], choices: Sequence[str], option: str) -> None:
             raise WrongUseError(f"{option} {value}: there are {', '.join(choices)}")
 
 
+def to_be_written(file: Path) -> None:
+    """Refuse a file that could not be written once the long work for it is done."""
+    from verbteach_tui.installation import is_writable
+
+    if file.is_dir():
+        raise WrongUseError(f"{file}: is a folder; name a file in it")
+    folder = file.absolute().parent
+    if not folder.is_dir():
+        raise WrongUseError(f"{folder}: there is no such folder")
+    if not is_writable(folder):
+        raise WrongUseError(f"{folder}: cannot be written to")
+
+
 NOISES = ("perfect", "std3", "std5", "uniform")
 JsonFlag = Annotated[
     bool, typer.Option("--json", help="Print exactly one JSON document on standard output.")

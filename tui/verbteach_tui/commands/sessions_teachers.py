@@ -7,7 +7,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from verbteach_tui.commands.parameters import JsonFlag, ScenesFolder, SeedOption, WeightsOption
+from verbteach_tui.commands.parameters import (
+    JsonFlag,
+    ScenesFolder,
+    SeedOption,
+    WeightsOption,
+    to_be_written,
+)
 from verbteach_tui.commands.sessions_corpus import found_at
 from verbteach_tui.commands.streams import columns, emit, note, progress, tell
 from verbteach_tui.conclusion import CHECK_FAILED, WrongUseError
@@ -56,6 +62,7 @@ def fit(
     from verbteach_sessions.people.fitting import save_user
     from verbteach_sessions.people.rehearsal import FEWEST
 
+    to_be_written(out)
     book, settings = _book(lessons), _settings(scenes)
     material = _gathered(found_at(paths), book, settings)
     user = material.user()

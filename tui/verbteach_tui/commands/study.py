@@ -97,10 +97,11 @@ def answers(
     rows, problems = answer_rows(folder)
     for problem in problems:
         note(f"left out: {problem}")
+    if out is not None:
+        out.write_text(as_csv(rows), "utf-8")
     if as_json:
         emit({"folder": str(folder), "rows": rows, "left_out": list(problems)})
     elif out is not None:
-        out.write_text(as_csv(rows), "utf-8")
         tell(f"{len(rows)} rows: {out}")
     else:
         print(as_csv(rows), end="")

@@ -14,6 +14,7 @@ from verbteach_tui.commands.parameters import (
     NoiseReading,
     SeedOption,
     chosen,
+    to_be_written,
 )
 from verbteach_tui.commands.streams import Progress, columns, emit, note, progress, tell
 from verbteach_tui.conclusion import WrongUseError
@@ -37,6 +38,10 @@ RATES = (0.6, 0.7, 0.8, 0.9)
 
 def train(
     out: Annotated[Path, typer.Option(metavar="FILE", help="Where the weights go.")],
+    more: Annotated[
+        list[Path] | None,
+        typer.Argument(metavar="SESSION", help="More sessions after that of --from."),
+    ] = None,
     data: Annotated[
         Path | None,
         typer.Option(metavar="DIR", help="A Tell Me Dave folder; else the bundled lessons."),
@@ -88,12 +93,13 @@ def train(
     """
     if data is not None and (calibrate or weights is not None):
         raise WrongUseError("--calibrate and --weights go with the bundled lessons, not --data")
+    if more and not sessions:
+        raise WrongUseError(f"{more[0]}: sessions to practise on are named after --from")
     schooling = _schooling(noise, noise_reading, learner, episodes, seed or 0)
-    if not out.resolve().parent.is_dir():
-        raise WrongUseError(f"{out.resolve().parent}: there is no such folder")
+    to_be_written(out)
     kept = None if weights is None else _loaded(weights)
     with progress() as show:
-        matter = _matter(data, sessions or [], schooling.seed, show)
+        matter = _matter(data, [*(sessions or []), *(more or [])], schooling.seed, show)
         if matter.bench is not None:
             made = _trained(matter.bench, matter.source, schooling, show)
         else:
