@@ -13,7 +13,7 @@ from pathlib import Path
 from verbteach.dialogue.lesson import Lesson
 from verbteach.dialogue.setting import Settings
 from verbteach.experiments.evaluation import Grounds
-from verbteach.experiments.folds import held_out, leave_one_environment_out
+from verbteach.experiments.folds import Fold, held_out, leave_one_environment_out
 from verbteach.language.frames import NounPhrase
 from verbteach.language.lexicon import Lexicon
 from verbteach.language.looks import Looks
@@ -96,19 +96,30 @@ def of_corpus(
     """
     corpora = [read_corpus(folder, progress) for folder in (data, test) if folder is not None]
     parting = Parting.of(*corpora) if test is not None else None
-    read = [_part(one) for one in ((parting.learned, parting.tested) if parting else corpora)]
-    tasks = {key: task for part in read for key, task in part.tasks.items()}
-    scenes = {key: scene for part in read for key, scene in part.scenes.items()}
-    own = OwnGrounder(scenes, load_lexicon())
-    learned, *tested = [part.instances for part in read]
+    parts = [_part(one) for one in ((parting.learned, parting.tested) if parting else corpora)]
+    learned, *tested = [part.instances for part in parts]
     away = [_set_apart(part) for part in tested]
     try:
         folds = held_out(learned, *away) if tested else leave_one_environment_out(learned)
     except ValueError as error:
         raise WorldFileError(data, 0, str(error)) from error
     apart = tuple(sorted({one.environment for part in away for one in part}))
-    left_out = parting.left_out if parting else ()
-    return EvaluationData(Grounds(folds, tasks, training_planner), own, apart, left_out)
+    found = _in_folds(folds, parts)
+    return replace(found, apart=apart, left_out=parting.left_out if parting else ())
+
+
+def to_test(folder: Path, progress: Progress | None = None) -> EvaluationData:
+    """A Tell Me Dave folder that is tested on as a whole. Raises ``CorpusError``."""
+    part = _part(read_corpus(folder, progress))
+    return _in_folds((Fold("test", (), part.instances),), [part])
+
+
+def _in_folds(folds: tuple[Fold, ...], parts: Sequence[_Part]) -> EvaluationData:
+    tasks = {key: task for part in parts for key, task in part.tasks.items()}
+    scenes = {key: scene for part in parts for key, scene in part.scenes.items()}
+    return EvaluationData(
+        Grounds(folds, tasks, training_planner), OwnGrounder(scenes, load_lexicon())
+    )
 
 
 def _set_apart(test: Sequence[Instance]) -> tuple[Instance, ...]:

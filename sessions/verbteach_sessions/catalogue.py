@@ -72,13 +72,25 @@ def list_sessions(folder: Path) -> tuple[Entry, ...]:
 
 def session_folders(folder: Path) -> tuple[Path, ...]:
     """The sessions' folders in ``folder``, and in those of a study's participants, sorted."""
+    inner = [path for path in _within(folder) if path.is_dir()]
+    homes = [path for path in inner if not path.is_symlink() and not _has_log(path)]
+    found = (*inner, *(path for home in homes for path in _within(home)))
+    return tuple(sorted(path for path in found if _has_log(path)))
+
+
+def _within(folder: Path) -> tuple[Path, ...]:
+    """What is in a folder; nothing of one that may not be looked into, as `lost+found`."""
     try:
-        inner = [path for path in folder.iterdir() if path.is_dir()]
-        homes = [path for path in inner if not path.is_symlink() and not (path / LOG_NAME).exists()]
-        inner += [path for home in homes for path in home.iterdir()]
+        return tuple(folder.iterdir())
     except OSError:
         return ()
-    return tuple(sorted(path for path in inner if (path / LOG_NAME).exists()))
+
+
+def _has_log(path: Path) -> bool:
+    try:
+        return (path / LOG_NAME).exists()
+    except OSError:
+        return False
 
 
 def entry(path: Path) -> Entry:

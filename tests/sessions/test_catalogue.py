@@ -6,7 +6,9 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Iterator
 from datetime import UTC, datetime, timedelta
+from errno import EACCES
 from pathlib import Path
 
 import pytest
@@ -34,6 +36,22 @@ def test_sessions_are_listed_the_newest_first(tmp_path: Path) -> None:
     assert entries[0].scene == "kitchen-1"
     assert all(one.resumable for one in entries)
     assert list_sessions(tmp_path / "nowhere") == ()
+
+
+def test_a_folder_that_may_not_be_looked_into_hides_no_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    Session.create(tmp_path / "k7m2", at(1), settings).close()
+    (tmp_path / "lost+found").mkdir()
+    within = Path.iterdir
+
+    def guarded(path: Path) -> Iterator[Path]:
+        if path.name == "lost+found":
+            raise PermissionError(EACCES, "Permission denied", str(path))
+        return within(path)
+
+    monkeypatch.setattr(Path, "iterdir", guarded)
+    assert [one.participant for one in list_sessions(tmp_path)] == ["p1"]
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -144,9 +144,11 @@ def evaluate(
         if source is not None or asked.about_asking:
             _refuse_she16({"--criterion": criterion, "--objects": objects})
             asked.check()
-            if source is not None:
-                data, test_data = test_data or data, None
-            found = _data(data, test_data, show)
+            found = (
+                _data(data, test_data, show)
+                if source is None
+                else _to_test(test_data or data, show)
+            )
             if source is not None:
                 document = taught_document(source, asked, found, show)
             elif mistakes:
@@ -236,6 +238,15 @@ def _data(data: Path | None, test: Path | None, show: Progress) -> EvaluationDat
     found = of_corpus(data, test, lambda done, total: show("reading", done, total))
     tell_left_out(found)
     return found
+
+
+def _to_test(data: Path | None, show: Progress) -> EvaluationData:
+    """What a robot that was taught is scored on: nothing is learned from it."""
+    from verbteach_scenarios.grounds import to_test
+
+    if data is None:
+        return _data(None, None, show)
+    return to_test(data, lambda done, total: show("reading", done, total))
 
 
 def _grounded(setup: Setup, grounding: str, data: EvaluationData) -> Setup:
