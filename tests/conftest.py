@@ -1,5 +1,7 @@
 """For all tests: property tests have no deadline, and nothing is kept in one's own folders.
 
+Rooms are grounded once; what takes a room's grounding apart does not ask for settings.
+
 Numpy works on one thread, as the commands let it, and processes that tests begin
 can be interrupted though the tests themselves were begun in the background.
 """
@@ -12,6 +14,7 @@ from collections.abc import Iterator
 import pytest
 from hypothesis import settings
 
+from tests.grounded import rooms_grounded_once
 from verbteach_sessions.places import DATA_VARIABLE
 from verbteach_tui.workers import one_thread
 
@@ -28,4 +31,10 @@ def _own_data_folder(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]
     """Keys and sessions that no test names go to a folder of the tests' own."""
     with pytest.MonkeyPatch.context() as patched:
         patched.setenv(DATA_VARIABLE, str(tmp_path_factory.mktemp("data")))
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _rooms_grounded_once() -> Iterator[None]:
+    with rooms_grounded_once():
         yield

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
-from unittest.mock import patch
 
-from textual._compositor import Compositor
 from textual.app import App
 from textual.containers import ScrollableContainer
 from textual.geometry import Region
@@ -14,6 +11,7 @@ from textual.pilot import Pilot
 from textual.widget import Widget
 from textual.widgets import Button, OptionList, Static
 
+from tests.tui.frames import unpainted
 from verbteach_tui.views.rows import plain, width_of
 from verbteach_tui.widgets.hypothesis_view import HypothesisView
 from verbteach_tui.widgets.rows_view import RowsView
@@ -44,7 +42,7 @@ def check_fits(app: App[None]) -> None:
 async def check_fits_everywhere(pilot: Pilot[None]) -> None:
     """The same at each of ``SIZES``; at the end the size is what it was, and painted."""
     before = pilot.app.size
-    with _unpainted():
+    with unpainted():
         for size in sorted(SIZES, key=lambda size: size == before):
             await pilot.resize_terminal(*size)
             await pilot.pause()
@@ -53,13 +51,6 @@ async def check_fits_everywhere(pilot: Pilot[None]) -> None:
         await pilot.resize_terminal(*before)
     pilot.app.screen.refresh()
     await pilot.pause()
-
-
-@contextmanager
-def _unpainted() -> Iterator[None]:
-    """Lay out without painting, which takes most of the time and tells nothing of what fits."""
-    with patch.object(Compositor, "render_update", return_value=None):
-        yield
 
 
 def _is_shown(widget: Widget) -> bool:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
+from time import monotonic
 
 from textual.pilot import Pilot
 from textual.widgets import OptionList
 
+from tests.tui.frames import piloted
 from verbteach_scenarios.scenes import load_scene, scene_ids
 from verbteach_scenarios.settings import make_settings
 from verbteach_sessions.driving import ScriptTeacher, drive
@@ -25,6 +27,8 @@ from verbteach_tui.widgets.rows_view import RowsView
 SETTINGS = make_settings()
 WIDE, NORMAL, NARROW = (120, 40), (80, 24), (60, 20)
 SIZES = (WIDE, NORMAL, NARROW)
+PATIENCE = 60.0
+"""Seconds that a test waits for what comes: far longer than it takes, on a busy machine, too."""
 
 OPEN_THE_FRIDGE = ("go to the fridge", "open the fridge")
 BOIL_THE_WATER = (
@@ -78,7 +82,8 @@ class Room:
 
     async def settle(self) -> None:
         """Wait until the robot has answered and the answer is on the screen."""
-        for _ in range(500):
+        end = monotonic() + PATIENCE
+        while monotonic() < end:
             await self.pilot.pause()
             teaching = [s for s in self.app.screen_stack if isinstance(s, TeachScreen)]
             if not any(screen.thinking for screen in teaching) and self._settled_workers():
@@ -89,6 +94,13 @@ class Room:
 
     def _settled_workers(self) -> bool:
         return not any(w.is_running for w in self.app.workers if w.group in ("session", "open"))
+
+    async def until(self, come: Callable[[], object], otherwise: str = "it never came") -> None:
+        """Wait for what is to ``come``."""
+        end = monotonic() + PATIENCE
+        while not come():
+            assert monotonic() < end, otherwise
+            await self.pilot.pause(0.01)
 
     async def line(self, text: str) -> None:
         """Type a line and press Enter; a long one is put in at once, as by pasting."""
@@ -112,7 +124,7 @@ class Room:
     async def choose(self, list_id: str, label: str) -> None:
         """Go to an entry of a list with the arrow keys, and take it with Enter."""
         options = self.app.screen.query_one(f"#{list_id}", OptionList)
-        assert options.has_focus, f"{list_id} has not got the keys"
+        await self.until(lambda: options.has_focus, f"{list_id} has not got the keys")
         for _ in range(options.option_count + 1):
             highlighted = options.highlighted_option
             if highlighted is not None and _text(highlighted.prompt) == label:
@@ -158,7 +170,7 @@ async def room(
 ) -> AsyncIterator[Room]:
     """An app in a room; unless ``patient``, keys count however fast they come."""
     app = VerbteachApp(options(folder, opening or OpenNew("kitchen-1"), speed))
-    async with app.run_test(size=size) as pilot:
+    async with piloted(app, size) as pilot:
         here = Room(app, pilot)
         await here.settle()
         if not isinstance(opening, OpenHome) and not patient:

@@ -15,7 +15,8 @@ from textual import events
 from textual.pilot import Pilot
 from textual.widgets import OptionList
 
-from tests.tui.room import NORMAL, OPEN_THE_FRIDGE, SETTINGS, Room, learn_to_open, room
+from tests.tui.frames import piloted
+from tests.tui.room import NORMAL, OPEN_THE_FRIDGE, PATIENCE, SETTINGS, Room, learn_to_open, room
 from tests.tui.strategies import NASTY
 from verbteach_sessions.errors import StorageError
 from verbteach_sessions.session import Session
@@ -206,17 +207,16 @@ async def test_a_session_named_on_the_command_line_that_is_none_is_handed_back(
     from verbteach_tui.app import VerbteachApp
 
     app = VerbteachApp(options(tmp_path, OpenSession(tmp_path / "nowhere")))
-    async with app.run_test() as pilot:
+    async with piloted(app) as pilot:
         await _until(pilot, lambda: app.failure is not None)
     assert app.failure is not None
 
 
 async def _until(pilot: Pilot[None], done: Any) -> None:
-    for _ in range(300):
+    end = time.monotonic() + PATIENCE
+    while not done():
+        assert time.monotonic() < end, "it never came to that"
         await pilot.pause(0.01)
-        if done():
-            return
-    raise AssertionError("it never came to that")
 
 
 async def test_a_slow_robot_does_not_hold_up_the_screen(

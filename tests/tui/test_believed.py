@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+from tests.tui.frames import piloted
 from tests.tui.room import SETTINGS, options
 from tests.tui.room import Room as Here
 from verbteach.perception.belief import Belief
@@ -77,7 +78,7 @@ async def test_a_key_puts_the_robots_view_beside_the_scene_and_takes_it_away(
         create=lambda scene: Session.create(tmp_path, header, SETTINGS),
     )
     app = VerbteachApp(chosen)
-    async with app.run_test(size=(120, 40)) as pilot:
+    async with piloted(app, size=(120, 40)) as pilot:
         here = Here(app, pilot)
         await here.settle()
         scene = here.teach.query_one(SceneView)

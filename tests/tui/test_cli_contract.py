@@ -10,9 +10,8 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 import pytest
-import typer
 
-from verbteach_tui.commands.tree import build
+from verbteach_tui.commands.tree import command_line
 
 OPTIONS: Mapping[str, str] = {
     "teach": "--scene --teacher --lessons --plain --noise --noise-reading --policy --from"
@@ -65,7 +64,7 @@ def commands() -> Iterator[tuple[str, Any]]:
             else:
                 yield " ".join((*path, name)), command
 
-    return below(typer.main.get_command(build()), ())
+    return below(command_line(), ())
 
 
 def options_of(command: Any) -> set[str]:

@@ -13,6 +13,7 @@ import pytest
 
 from tests.study.files import SMALL, study
 from tests.tui.fits import SIZES, check_fits_everywhere
+from tests.tui.frames import piloted
 from tests.tui.lab.test_lab import ROW, SLOW, worker
 from tests.tui.room import BOIL_THE_WATER, options, room, said
 from tests.tui.study.led import on_screen
@@ -110,7 +111,7 @@ async def test_the_tour(tmp_path: Path, size: tuple[int, int]) -> None:
 async def test_the_ways_in(tmp_path: Path) -> None:
     said(tmp_path, *BOIL_THE_WATER[:2])
     app = VerbteachApp(replace(options(tmp_path, OpenHome()), take_part=lambda file, code: 0))
-    async with app.run_test() as pilot:
+    async with piloted(app) as pilot:
         await pilot.pause(0.3)
         await check_fits_everywhere(pilot)
         await pilot.press("s")

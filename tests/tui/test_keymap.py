@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.tui.frames import piloted
 from tests.tui.room import Room, options
 from verbteach.dialogue.moves import Phase
 from verbteach_tui.app import VerbteachApp
@@ -100,7 +101,7 @@ def test_a_file_that_is_no_toml_is_refused_with_where_it_goes_wrong(tmp_path: Pa
 async def test_the_app_goes_by_the_persons_own_keys(tmp_path: Path) -> None:
     keymap = Keymap({"yes": "j", "undo": "z"}, {"verbs": "f8", "turns": "f5"})
     app = VerbteachApp(replace(options(tmp_path, OpenNew("kitchen-1")), keymap=keymap))
-    async with app.run_test(size=(120, 40)) as pilot:
+    async with piloted(app, size=(120, 40)) as pilot:
         here = Room(app, pilot)
         await here.settle()
         here.hurry()

@@ -90,8 +90,12 @@ def plainly(folder: Path) -> str:
         return session.content_hash
 
 
+AS_STEERED = 0.001
+"""Steps a second: so slow that an execution goes on by what is pressed and clicked alone."""
+
+
 async def on_screen(folder: Path) -> str:
-    async with room(folder, speed=0.5) as here:
+    async with room(folder, speed=AS_STEERED) as here:
         session = here.teach.teaching.session
         await first_lesson(here)
         await second_lesson(here)

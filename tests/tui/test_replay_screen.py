@@ -10,6 +10,7 @@ import pytest
 from textual.pilot import Pilot
 from textual.widgets import OptionList
 
+from tests.tui.frames import piloted
 from tests.tui.room import NARROW, SETTINGS, WIDE, options, room, said
 from verbteach_sessions.session import Session
 from verbteach_tui.app import VerbteachApp
@@ -33,7 +34,7 @@ async def playing(
     path: Path, size: tuple[int, int] = WIDE, at: int = 0, speed: float = 0.0
 ) -> AsyncIterator[tuple[ReplayScreen, Pilot[None]]]:
     app = VerbteachApp(options(path.parent, OpenRecord(path, at, speed)))
-    async with app.run_test(size=size) as pilot:
+    async with piloted(app, size=size) as pilot:
         for _ in range(400):
             if isinstance(app.screen, ReplayScreen):
                 break

@@ -16,6 +16,7 @@ from textual.pilot import Pilot
 from textual.screen import Screen
 
 from tests.study.files import study
+from tests.tui.frames import at_rest
 from tests.tui.lab.test_lab import FIGURE, ROW
 from tests.tui.room import BOIL_THE_WATER, NARROW, NORMAL, WIDE, options, said
 from verbteach_tui import app as app_module
@@ -45,17 +46,6 @@ class _Frame(VerbteachApp):
 
     def begin(self) -> None:
         """Nothing of its own."""
-
-
-async def at_rest(pilot: Pilot[Any]) -> None:
-    """Wait until the picture stays as it is."""
-    before = ""
-    for _ in range(100):
-        await pilot.pause(0.05)
-        now = pilot.app.export_screenshot()
-        if now == before:
-            return
-        before = now
 
 
 @pytest.fixture

@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 from textual.pilot import Pilot
 
+from tests.tui.frames import at_rest
 from tests.tui.room import BOIL_THE_WATER, NARROW, NORMAL, WIDE, options, said
 from verbteach_tui.app import VerbteachApp
 from verbteach_tui.options import OpenSession
@@ -47,17 +48,15 @@ def looks(snap_compare: Compare, tmp_path: Path) -> Callable[..., bool]:
 
 async def settled(pilot: Pilot[Any]) -> None:
     """Wait until the session is on the screen, its cursor at rest, and nothing changes any more."""
-    before = ""
-    for _ in range(600):
-        await pilot.pause(0.1)
+
+    def ready() -> bool:
         screen = pilot.app.screen
         if not isinstance(screen, TeachScreen) or not screen.query("KeyBar"):
-            continue
+            return False
         screen.query_one(CommandInput).cursor_blink = False
-        now = pilot.app.export_screenshot() if screen.query_one(KeyBar).rows else ""
-        if now and now == before:
-            return
-        before = now
+        return bool(screen.query_one(KeyBar).rows)
+
+    await at_rest(pilot, ready)
 
 
 @pytest.mark.parametrize("size", [NARROW, NORMAL, WIDE, VERY_WIDE], ids=lambda s: f"{s[0]}x{s[1]}")

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.tui.frames import piloted
 from tests.tui.room import NARROW, WIDE, Room, options
 from verbteach_tui.app import VerbteachApp
 from verbteach_tui.options import OpenNew
@@ -29,7 +30,7 @@ async def test_it_comes_by_itself_once_and_speaks_of_what_is_in_view(
 ) -> None:
     toured = tmp_path / "state" / "toured"
     app = VerbteachApp(replace(options(tmp_path, OpenNew("kitchen-1")), toured=toured))
-    async with app.run_test(size=size) as pilot:
+    async with piloted(app, size=size) as pilot:
         here = Room(app, pilot)
         await here.settle()
         await pilot.pause()
@@ -59,7 +60,7 @@ async def test_it_is_skipped_with_one_key_and_repeated_from_the_palette(tmp_path
     toured = tmp_path / "toured"
     toured.touch()
     app = VerbteachApp(replace(options(tmp_path, OpenNew("kitchen-1")), toured=toured))
-    async with app.run_test(size=WIDE) as pilot:
+    async with piloted(app, size=WIDE) as pilot:
         here = Room(app, pilot)
         await here.settle()
         assert isinstance(app.screen, TeachScreen), "it was offered before"

@@ -7,10 +7,12 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from dataclasses import replace
 from pathlib import Path
+from time import monotonic
 from typing import Any
 
 from tests.study.files import SMALL
-from tests.tui.room import WIDE, Room
+from tests.tui.frames import piloted
+from tests.tui.room import PATIENCE, WIDE, Room
 from verbteach_sessions.eventlog import LogReader
 from verbteach_sessions.study.progress import VISIT_NAME
 from verbteach_tui.beginning import Beginning
@@ -78,7 +80,8 @@ class Led(Room):
 
     async def come(self, kind: type[Any]) -> None:
         """Wait until a screen of this kind is in front and everything has settled."""
-        for _ in range(500):
+        end = monotonic() + PATIENCE
+        while monotonic() < end:
             await self.pilot.pause(0.01)
             if isinstance(self.app.screen, kind) and not self._busy():
                 await self.pilot.pause()
@@ -111,7 +114,7 @@ async def on_screen(
     run = begun(folder, code, text, "app")
     options = app_options(run.beginning, OpenNew(""), speed=0.0)
     app = StudyApp(replace(options, create=lambda scene: run.open_session()), run)
-    async with app.run_test(size=size) as pilot:
+    async with piloted(app, size) as pilot:
         yield Led(app, pilot)
     app.close_sessions()
     run.close()

@@ -9,6 +9,7 @@ import pytest
 from textual.widgets import Input, Static
 
 from tests.study.files import SMALL
+from tests.tui.frames import piloted
 from tests.tui.room import NARROW, options
 from tests.tui.study.led import study_file
 from verbteach_tui.app import VerbteachApp
@@ -30,7 +31,7 @@ async def test_a_study_nearby_is_offered_and_begun_with_a_code(
 
     chosen = replace(options(tmp_path / "s", OpenHome()), take_part=take_part)
     app = VerbteachApp(chosen)
-    async with app.run_test(size=NARROW) as pilot:
+    async with piloted(app, size=NARROW) as pilot:
         await pilot.pause()
         await pilot.press("s")
         for _ in range(200):
@@ -60,7 +61,7 @@ async def test_a_study_nearby_is_offered_and_begun_with_a_code(
 
 async def test_where_the_app_is_served_there_is_no_study_to_choose(tmp_path: Path) -> None:
     app = VerbteachApp(options(tmp_path / "s", OpenHome()))
-    async with app.run_test() as pilot:
+    async with piloted(app) as pilot:
         await pilot.press("s")
         await pilot.pause(0.1)
         assert isinstance(app.screen, HomeScreen)
