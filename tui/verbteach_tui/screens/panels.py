@@ -134,11 +134,13 @@ class PanelScreen(RoomScreen):
 
     def choose_tab(self, name: str, on_stage: bool | None = None) -> None:
         """Bring a panel into view where there is room for one only."""
-        # All at once: every change of the screen's classes restyles whatever is on it.
-        classes = {f"-tab-{word}": word == name for word, _, _ in TABS}
+        # By the panels: every change of the screen's own classes restyles whatever is on it.
+        for word, _, _ in TABS:
+            self.query_one(f"#{word}").set_class(word == name, "-chosen")
+        self.query_one(LatestWords).set_class(name != "dialogue", "-chosen")
         if on_stage is not None:
-            classes["-staged"] = on_stage
-        self.update_classes(classes)
+            self.query_one(DialogueView).set_class(on_stage, "-staged")
+            self.query_one(Stage).display = on_stage
         self.query_one(TabStrip).show_tabs(TABS, name)
         self._tab = name
         self._look()

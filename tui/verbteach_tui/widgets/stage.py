@@ -22,7 +22,7 @@ class Stage(Container):
     """Shows one of its three views, or nothing."""
 
     DEFAULT_CSS = """
-    Stage { & > * { display: none; } & > .-on { display: block; } }
+    Stage { display: none; & > * { display: none; } }
     """
 
     def compose(self) -> ComposeResult:
@@ -45,7 +45,7 @@ class Stage(Container):
         """Show what ``snapshot`` is about; whether there is anything to show."""
         view = self._view(snapshot)
         for child in self.children:
-            child.set_class(child is view, "-on")
+            child.display = child is view
         self.border_title = view.BORDER_TITLE if view else ""
         if view is self.execution:
             playback = Playback(snapshot.steps, speed=speed, failed=snapshot.failure)
@@ -61,10 +61,10 @@ class Stage(Container):
 
     def take_focus(self) -> None:
         """Put the keys into the view that is on."""
-        if self.builder.has_class("-on"):
+        if self.builder.display:
             self.builder.take_focus()
         else:
-            on = [child for child in self.children if child.has_class("-on")]
+            on = [child for child in self.children if child.display]
             if on:
                 on[0].focus()
 
