@@ -18,7 +18,7 @@ from verbteach_sessions.files import open_regular
 from verbteach_sessions.lines import MAX_LINE, LineError, parse
 from verbteach_sessions.lock import in_use
 from verbteach_sessions.names import safe_name
-from verbteach_sessions.places import data_folder
+from verbteach_sessions.places import at_home, data_folder
 from verbteach_sessions.upcasting import VERSION
 
 SESSIONS_VARIABLE = "VERBTEACH_SESSIONS"
@@ -56,11 +56,13 @@ class Entry:
 def default_folder() -> Path:
     """Where sessions go unless another folder is named; it need not exist yet.
 
-    ``VERBTEACH_SESSIONS`` where it is set, else in :func:`data_folder`.
+    ``VERBTEACH_SESSIONS`` where it is set, else in :func:`data_folder`. Raises
+    ``NoHomeError``.
     """
     named = os.environ.get(SESSIONS_VARIABLE)
     if named:
-        return Path(named).expanduser()
+        with at_home():
+            return Path(named).expanduser()
     return data_folder() / "sessions"
 
 

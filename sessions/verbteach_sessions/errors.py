@@ -12,6 +12,10 @@ class SessionError(Exception):
     """Something about a session that the person can put right; the message is one line."""
 
 
+class NoHomeError(SessionError):
+    """Nobody said where things are kept, and there is no home directory to keep them in."""
+
+
 class LogError(SessionError):
     """The log cannot be used as it is: which file, which line (from 1), why, and what to do."""
 

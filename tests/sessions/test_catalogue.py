@@ -10,13 +10,14 @@ from collections.abc import Iterator
 from datetime import UTC, datetime, timedelta
 from errno import EACCES
 from pathlib import Path
+from typing import NoReturn
 
 import pytest
 
 from tests.sessions.records import raw_lines, read_events
 from tests.sessions.rooms import BOIL, TAUGHT, babble, begin, recorded, resumed, say, settings
 from verbteach_sessions.catalogue import default_folder, entry, find_session, list_sessions
-from verbteach_sessions.errors import NotASessionError, UnsafeNameError
+from verbteach_sessions.errors import NoHomeError, NotASessionError, UnsafeNameError
 from verbteach_sessions.eventlog import LOG_NAME
 from verbteach_sessions.header import Header
 from verbteach_sessions.session import Session, summary
@@ -158,6 +159,21 @@ def test_listing_loads_nothing_heavy() -> None:
         [sys.executable, "-c", program], capture_output=True, text=True, check=True
     )
     assert run.stdout.strip() == "[]"
+
+
+def nobody(uid: int) -> NoReturn:
+    raise KeyError(uid)
+
+
+def test_without_a_home_directory_a_folder_must_be_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    for named in ("VERBTEACH_SESSIONS", "VERBTEACH_DATA", "XDG_DATA_HOME", "HOME"):
+        monkeypatch.delenv(named, raising=False)
+    monkeypatch.setattr("pwd.getpwuid", nobody)
+    with pytest.raises(NoHomeError, match="--sessions"):
+        default_folder()
+    monkeypatch.setenv("VERBTEACH_SESSIONS", "~/kept")
+    with pytest.raises(NoHomeError):
+        default_folder()
 
 
 def test_the_default_folder_can_be_named(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from verbteach_sessions.places import at_home
 from verbteach_tui.conclusion import WrongUseError
 from verbteach_tui.keys import SAID
 from verbteach_tui.near import known
@@ -66,7 +67,8 @@ def keys_file() -> Path:
         return Path(named)
     from platformdirs import user_config_path
 
-    return user_config_path("verbteach") / FILE_NAME
+    with at_home():
+        return user_config_path("verbteach") / FILE_NAME
 
 
 def read_keymap(path: Path) -> Keymap:

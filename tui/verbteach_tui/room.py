@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
+from verbteach_sessions.places import at_home
 from verbteach_tui.beginning import Beginning
 from verbteach_tui.options import AppOptions, OpenHome, Opening
 from verbteach_tui.terminal import in_browser
@@ -37,7 +38,8 @@ def _toured(beginning: Beginning) -> Path:
         return beginning.folder / "toured"
     from platformdirs import user_state_path
 
-    return user_state_path("verbteach") / "toured"
+    with at_home():
+        return user_state_path("verbteach") / "toured"
 
 
 def app_options(

@@ -41,7 +41,13 @@ def list_sessions(sessions: SessionsFolder = None, as_json: JsonFlag = False) ->
 
 def _row(entry: Entry) -> tuple[object, ...]:
     state = entry.problem or ("left" if entry.ended else "open")
-    return entry.id, entry.scene, entry.episodes, ", ".join(entry.verbs_learned), state
+    return entry.id, entry.scene, entry.episodes, _few(entry.verbs_learned), state
+
+
+def _few(verbs: Sequence[str], most: int = 5) -> str:
+    """The verbs, as many as there is room for in a line."""
+    more = len(verbs) - most
+    return ", ".join(verbs[:most]) + (f" and {more} more" if more > 0 else "")
 
 
 def show_session(session: SessionArgument, as_json: JsonFlag = False) -> None:
