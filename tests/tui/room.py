@@ -81,10 +81,12 @@ class Room:
         return "\n".join(f"{line.speaker}: {line.text}" for line in view.lines)
 
     async def settle(self) -> None:
-        """Wait until the robot has answered and the answer is on the screen."""
+        """Wait until the robot has answered and the answer is on the screen, or the app is left."""
         end = monotonic() + PATIENCE
         while monotonic() < end:
             await self.pilot.pause()
+            if not self.app.is_running:
+                return
             teaching = [s for s in self.app.screen_stack if isinstance(s, TeachScreen)]
             if not any(screen.thinking for screen in teaching) and self._settled_workers():
                 await self.pilot.pause()
