@@ -190,3 +190,16 @@ async def test_a_study_in_a_browser_keeps_nothing_before_consent_and_comes_back(
     (home,) = [path for path in records.iterdir() if path.is_dir()]
     assert (home / "visit.jsonl").is_file()
     assert next(iter(LogReader(log))).data["study"]["consent"]["answer"] == "yes"
+
+
+async def test_a_narrow_window_has_the_columns_of_the_smallest_layout(tmp_path: Path) -> None:
+    with served(tmp_path / "records") as address:
+        async with chromium(tmp_path / "profile") as browser:
+            page = await browser.visit(address)
+            await page.shows("what verbs mean. Choose a room.")
+            narrow = {"width": 390, "height": 800, "deviceScaleFactor": 1, "mobile": False}
+            await page.ask("Emulation.setDeviceMetricsOverride", **narrow)
+            await page.value("location.reload()")
+            await page.shows("what verbs mean. Choose a room.")  # with letters of 16: cut off
+            wide = "Math.max(...[...document.querySelectorAll('canvas')].map(c => c.clientWidth))"
+            assert 300 < await page.value(wide) <= 390

@@ -1,8 +1,13 @@
-// Runs before the terminal: says where its other end is, whatever name or proxy led here.
+// Runs before the terminal: says where its other end is, whatever name or proxy led here, and
+// how large its letters are: in a narrow window smaller ones, so that the smallest layout fits.
 "use strict";
+const COLUMNS = 60, LETTER = 0.6, SMALLEST = 7; // a letter's width is that much of its size
 const socket = new URL("ws", document.baseURI);
 socket.protocol = socket.protocol.replace("http", "ws");
-document.getElementById("terminal").dataset.sessionWebsocketUrl = socket.href;
+const { dataset } = document.getElementById("terminal");
+dataset.sessionWebsocketUrl = socket.href;
+const fitting = Math.max(window.innerWidth / (COLUMNS * LETTER), SMALLEST);
+dataset.fontSize = Math.min(dataset.fontSize, fitting);
 document.getElementById("again").addEventListener("click", () => window.location.reload());
 new MutationObserver(() => {
   if (document.body.classList.contains("-closed")) document.getElementById("again").focus();
