@@ -18,7 +18,7 @@ from verbteach_sessions.header import Header
 from verbteach_sessions.session import Session
 from verbteach_tui.app import VerbteachApp
 from verbteach_tui.keyguard import KeyGuard
-from verbteach_tui.options import AppOptions, OpenHome, Opening, OpenNew
+from verbteach_tui.options import AppOptions, OpenHome, Opening, OpenNew, OpenSession
 from verbteach_tui.screens.teach import TeachScreen
 from verbteach_tui.widgets.command_input import CommandInput
 from verbteach_tui.widgets.dialogue_view import DialogueView
@@ -27,10 +27,17 @@ from verbteach_tui.widgets.rows_view import RowsView
 SETTINGS = make_settings()
 WIDE, NORMAL, NARROW = (120, 40), (80, 24), (60, 20)
 SIZES = (WIDE, NORMAL, NARROW)
+AS_STEERED = 0.001
+"""Steps a second: so slow that an execution goes on by what is pressed and clicked alone."""
 PATIENCE = 60.0
 """Seconds that a test waits for what comes: far longer than it takes, on a busy machine, too."""
 
 OPEN_THE_FRIDGE = ("go to the fridge", "open the fridge")
+TO_OPEN = (
+    "command: open the fridge", "do: moveto Fridge_1", "do: open Fridge_1", "done", "good",
+)  # fmt: skip
+SHOWN, ASKED, TAUGHT = TO_OPEN[:3], TO_OPEN[:4], TO_OPEN
+"""How the fridge is opened was shown; the goal is read back; the verb is learned."""
 BOIL_THE_WATER = (
     "command: boil the water", "do: moveto Kettle_1", "do: grasp Kettle_1", "do: moveto Burner_1",
     "do: set-on Kettle_1 Burner_1", "do: moveto StoveKnob_1", "do: turn StoveKnob_1", "done",
@@ -169,8 +176,14 @@ async def room(
     size: tuple[int, int] = WIDE,
     speed: float = 0.0,
     patient: bool = False,
+    after: tuple[str, ...] = (),
 ) -> AsyncIterator[Room]:
-    """An app in a room; unless ``patient``, keys count however fast they come."""
+    """An app in a room; unless ``patient``, keys count however fast they come.
+
+    With ``after``, in a session in which these lines of a script were said.
+    """
+    if after:
+        opening = OpenSession(said(folder, *after))
     app = VerbteachApp(options(folder, opening or OpenNew("kitchen-1"), speed))
     async with piloted(app, size) as pilot:
         here = Room(app, pilot)

@@ -10,14 +10,14 @@ from textual.geometry import Region
 from textual.widget import Widget
 
 from tests.tui.room import (
+    ASKED,
     BOIL_THE_WATER,
     NARROW,
     NORMAL,
     OPEN_THE_FRIDGE,
-    SIZES,
+    TAUGHT,
     WIDE,
     Room,
-    learn_to_open,
     room,
     said,
 )
@@ -60,21 +60,22 @@ def check_nothing_overflows(here: Room) -> None:
             assert not one.region.overlaps(other.region), (one, other)
 
 
-@pytest.mark.parametrize("size", SIZES, ids=str)
-async def test_input_and_keys_are_in_view_in_every_phase(
-    tmp_path: Path, size: tuple[int, int]
-) -> None:
-    async with room(tmp_path, size=size) as here:
+async def test_input_and_keys_are_in_view_in_every_phase_at_every_size(tmp_path: Path) -> None:
+    async with room(tmp_path) as here:
         for text in ("open the fridge", *OPEN_THE_FRIDGE, "done", "yes", "scene: kitchen-2"):
             await here.line(text)
-            check_nothing_overflows(here)
-            assert in_view(here, "#line")
-            assert in_view(here, "#keys")
-            assert in_view(here, "#title")
+            await check_in_view_everywhere(here, "#line", "#keys", "#title")
         await here.line("open the fridge")
         assert here.phase == "judgement"
-        assert in_view(here, "#execution")
+        await check_in_view_everywhere(here, "#execution")
+
+
+async def check_in_view_everywhere(here: Room, *selectors: str) -> None:
+    for size in (NARROW, NORMAL, WIDE):
+        await here.pilot.resize_terminal(*size)
+        await here.pilot.pause()
         check_nothing_overflows(here)
+        assert all(in_view(here, selector) for selector in selectors), (size, selectors)
 
 
 async def test_four_things_are_in_view_at_120x40(tmp_path: Path) -> None:
@@ -109,8 +110,8 @@ async def test_the_scene_comes_into_view_when_something_is_to_be_seen_in_it(tmp_
 
 
 async def test_the_newest_line_is_in_view(tmp_path: Path) -> None:
-    async with room(tmp_path, size=NARROW) as here:
-        await learn_to_open(here)
+    async with room(tmp_path, size=NARROW, after=ASKED) as here:
+        await here.line("yes")
         view = here.app.screen.query_one(DialogueView)
         assert view.scroll_offset.y == view.max_scroll_y > 0
         last = plain(view.rows[-1])
@@ -149,8 +150,7 @@ async def test_the_hypothesis_graph_is_walked_with_the_arrow_keys(tmp_path: Path
 
 
 async def test_a_click_on_a_verb_in_the_mind_opens_its_graph(tmp_path: Path) -> None:
-    async with room(tmp_path) as here:
-        await learn_to_open(here)
+    async with room(tmp_path, after=TAUGHT) as here:
         await here.click_target(here.teach.query_one("#mind", RowsView), "open/1")
         assert isinstance(here.app.screen, VerbsScreen)
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from textual.widgets import OptionList
 
-from tests.tui.room import OPEN_THE_FRIDGE, Room, learn_to_open, room
+from tests.tui.room import AS_STEERED, ASKED, OPEN_THE_FRIDGE, TAUGHT, Room, room
 from verbteach.dialogue import acts
 from verbteach.world.fluents import Fluent
 from verbteach_tui.options import OpenHome, OpenSession
@@ -77,8 +77,7 @@ async def _click_option(here: Room, list_id: str, label: str) -> None:
 
 
 async def test_a_part_of_the_goal_is_struck_and_kept_by_key_and_by_mouse(tmp_path: Path) -> None:
-    async with room(tmp_path) as here:
-        await here.lines("open the fridge", *OPEN_THE_FRIDGE, "done")
+    async with room(tmp_path, after=ASKED) as here:
         view = here.teach.query_one(ReadBackView)
         before = here.teach.snapshot.parts
         assert view.has_focus
@@ -94,9 +93,7 @@ async def test_a_part_of_the_goal_is_struck_and_kept_by_key_and_by_mouse(tmp_pat
 async def test_a_wrong_execution_leads_to_a_demonstration_in_the_world_as_it_was(
     tmp_path: Path,
 ) -> None:
-    async with room(tmp_path) as here:
-        await learn_to_open(here)
-        await here.line("scene: kitchen-2")
+    async with room(tmp_path, after=(*TAUGHT, "scene: kitchen-2")) as here:
         before = here.teach.snapshot.moment.state
         await here.line("open the fridge")
         assert here.teach.snapshot.moment.state != before
@@ -106,9 +103,7 @@ async def test_a_wrong_execution_leads_to_a_demonstration_in_the_world_as_it_was
 
 
 async def test_an_execution_is_watched_step_by_step_and_stopped(tmp_path: Path) -> None:
-    async with room(tmp_path, speed=0.5) as here:
-        await learn_to_open(here)
-        await here.line("scene: kitchen-2")
+    async with room(tmp_path, speed=AS_STEERED, after=(*TAUGHT, "scene: kitchen-2")) as here:
         await here.line("open the fridge")
         assert here.teach.query_one(ExecutionView).has_focus
         assert here.teach.query_one(SceneView).border_subtitle == ""
@@ -123,9 +118,7 @@ async def test_an_execution_is_watched_step_by_step_and_stopped(tmp_path: Path) 
 
 
 async def test_the_scene_follows_the_execution(tmp_path: Path) -> None:
-    async with room(tmp_path, speed=0.5) as here:
-        await learn_to_open(here)
-        await here.line("scene: kitchen-2")
+    async with room(tmp_path, speed=AS_STEERED, after=(*TAUGHT, "scene: kitchen-2")) as here:
         await here.line("open the fridge")
         scene = here.teach.query_one(SceneView)
         assert "fridge ■ shut" in scene.text
@@ -151,8 +144,7 @@ async def test_undo_and_redo_work_at_any_time_and_restore_everything(tmp_path: P
 
 
 async def test_single_keys_undo_and_redo_while_a_question_waits(tmp_path: Path) -> None:
-    async with room(tmp_path) as here:
-        await here.lines("open the fridge", *OPEN_THE_FRIDGE, "done")
+    async with room(tmp_path, after=ASKED) as here:
         await here.key("u")
         assert here.phase == "demonstration"
         await here.key("U")

@@ -16,7 +16,17 @@ from textual.pilot import Pilot
 from textual.widgets import OptionList
 
 from tests.tui.frames import piloted
-from tests.tui.room import NORMAL, OPEN_THE_FRIDGE, PATIENCE, SETTINGS, Room, learn_to_open, room
+from tests.tui.room import (
+    ASKED,
+    NORMAL,
+    OPEN_THE_FRIDGE,
+    PATIENCE,
+    SETTINGS,
+    SHOWN,
+    Room,
+    learn_to_open,
+    room,
+)
 from tests.tui.strategies import NASTY
 from verbteach_sessions.errors import StorageError
 from verbteach_sessions.session import Session
@@ -75,9 +85,8 @@ async def test_hundreds_of_random_keys_never_crash_it_and_never_spoil_the_record
     tmp_path: Path, seed: int, count: int
 ) -> None:
     rng = np.random.default_rng(seed)
-    async with room(tmp_path, size=NORMAL) as here:
+    async with room(tmp_path, size=NORMAL, after=SHOWN) as here:
         path = here.teach.teaching.session.path
-        await here.lines("open the fridge", *OPEN_THE_FRIDGE)
         for _ in range(count):
             keys = OTHERS if rng.random() < 0.45 else PRINTABLE
             await here.pilot.press(keys[rng.integers(len(keys))])
@@ -93,8 +102,7 @@ async def test_hundreds_of_random_keys_never_crash_it_and_never_spoil_the_record
 
 
 async def test_a_word_typed_where_keys_answer_is_one_answer_at_most(tmp_path: Path) -> None:
-    async with room(tmp_path, patient=True) as here:
-        await here.lines("open the fridge", *OPEN_THE_FRIDGE, "done")
+    async with room(tmp_path, patient=True, after=ASKED) as here:
         assert here.phase == "read_back"
         before = len(here.teach.snapshot.lines)
         here.teach.guard = KeyGuard()
@@ -120,8 +128,7 @@ async def test_enter_after_what_was_typed_where_keys_answer_takes_no_step(
 
 
 async def test_a_word_typed_among_the_steps_edits_none(tmp_path: Path) -> None:
-    async with room(tmp_path, patient=True) as here:
-        await here.lines("open the fridge", *OPEN_THE_FRIDGE)
+    async with room(tmp_path, patient=True, after=SHOWN) as here:
         shown = here.teach.snapshot.shown
         await here.key("f9")
         here.teach.guard = KeyGuard()
@@ -256,8 +263,7 @@ async def test_keys_pressed_while_the_robot_thinks_say_nothing(
         time.sleep(0.3)
         return quick(self, act)
 
-    async with room(tmp_path) as here:
-        await here.lines("open the fridge", *OPEN_THE_FRIDGE, "done")
+    async with room(tmp_path, after=ASKED) as here:
         monkeypatch.setattr(Robot, "receive", slow)
         await here.pilot.press("n", "y", "n", "s")
         await here.settle()
@@ -300,8 +306,7 @@ async def test_steps_typed_ahead_are_taken_in_order(
 async def test_what_was_typed_ahead_answers_no_question_that_was_not_seen(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    async with room(tmp_path) as here:
-        await here.lines("open the fridge", *OPEN_THE_FRIDGE)
+    async with room(tmp_path, after=SHOWN) as here:
         await typed_at_once(here, monkeypatch, "done", "yes", "open the microwave")
         assert here.phase == "read_back"
         entry = here.teach.query_one(CommandInput)
@@ -319,8 +324,7 @@ async def test_after_a_step_that_cannot_be_the_next_ones_wait(
 
 
 async def test_a_note_is_kept_and_the_robot_does_not_hear_it(tmp_path: Path) -> None:
-    async with room(tmp_path) as here:
-        await here.lines("open the fridge", *OPEN_THE_FRIDGE, "done")
+    async with room(tmp_path, after=ASKED) as here:
         await here.key("m")
         assert isinstance(here.app.screen, NoteScreen)
         await here.pilot.press(*"odd", "enter")
@@ -332,8 +336,7 @@ async def test_a_note_is_kept_and_the_robot_does_not_hear_it(tmp_path: Path) -> 
 
 
 async def test_why_and_repeat_are_answered_at_once(tmp_path: Path) -> None:
-    async with room(tmp_path) as here:
-        await here.lines("open the fridge", *OPEN_THE_FRIDGE, "done")
+    async with room(tmp_path, after=ASKED) as here:
         asked = here.teach.snapshot.lines[-1].text
         await here.key("r")
         assert here.teach.snapshot.lines[-1].text == asked

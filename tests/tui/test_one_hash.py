@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 from pathlib import Path
 
-from tests.tui.room import SETTINGS, Room, room
+from tests.tui.room import AS_STEERED, SETTINGS, Room, room
 from verbteach_sessions.driving import ScriptTeacher, drive
 from verbteach_sessions.header import Header
 from verbteach_sessions.session import Session
@@ -88,10 +88,6 @@ def plainly(folder: Path) -> str:
         assert run_plain(session, io.StringIO(PLAIN), io.StringIO()) == 0
         assert session.ended
         return session.content_hash
-
-
-AS_STEERED = 0.001
-"""Steps a second: so slow that an execution goes on by what is pressed and clicked alone."""
 
 
 async def on_screen(folder: Path) -> str:
