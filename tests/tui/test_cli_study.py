@@ -148,6 +148,8 @@ def test_serving_to_others_needs_tokens(tmp_path: Path) -> None:
     empty.write_text("short\n")
     assert_refused(here("serve", "--tokens", empty), f"{empty}:1")
     assert_refused(here("serve", "--study", tmp_path / "none.toml"), "No such file")
+    assert_refused(here("serve", "--sessions", empty / "below"), "cannot be kept there")
+    assert_refused(here("serve", "--scenes", tmp_path / "none"), "none")
     assert [
         is_local(h) for h in ("127.0.0.1", "::1", "localhost", "192.168.0.1", "example.org")
     ] == [*(True, True, True, False, False)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ipaddress
+from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated
@@ -44,7 +45,9 @@ def serve(
         raise WrongUseError("serving needs the extra verbteach[web], which is not installed")
     if tokens is None and not is_local(host):
         raise WrongUseError(f"--host {host}: others can reach that, so --tokens is needed")
+    from verbteach_scenarios.scenes import scene_ids
     from verbteach_sessions.catalogue import default_folder
+    from verbteach_tui.installation import is_writable
     from verbteach_tui.web.server import VisitorServer
     from verbteach_tui.web.tokens import Door, read_tokens
     from verbteach_tui.web.visits import Visits
@@ -54,7 +57,9 @@ def serve(
 
         known(theme, [one.name for one in THEMES], "theme")
     folder = (sessions or default_folder()).absolute()
-    title = _title(study, scenes)
+    if not is_writable(folder):
+        raise WrongUseError(f"{folder}: sessions cannot be kept there")
+    title = _title(study, scene_ids(scenes))
     door = Door(folder, None if tokens is None else read_tokens(tokens))
     visits = Visits(folder, _absolute(study), _absolute(scenes), theme)
     port = port or _free_port(host)
@@ -77,14 +82,13 @@ def _absolute(path: Path | None) -> Path | None:
     return None if path is None else path.absolute()
 
 
-def _title(study: Path | None, scenes: Path | None) -> str:
+def _title(study: Path | None, scenes: Sequence[str]) -> str:
     """The study's title; its file is checked before anybody comes. Raises ``StudyFileError``."""
     if study is None:
         return TITLE
-    from verbteach_scenarios.scenes import scene_ids
     from verbteach_sessions.study.study_file import read_study
 
-    return read_study(study, scene_ids(scenes)).title
+    return read_study(study, scenes).title
 
 
 def _free_port(host: str) -> int:
