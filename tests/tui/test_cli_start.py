@@ -17,6 +17,7 @@ from verbteach import __version__
 from verbteach_tui.cli import COMPLETION_VARIABLE
 from verbteach_tui.commands.examples import EXAMPLES
 from verbteach_tui.conclusion import BUG, INTERRUPTED, UNREAD, concluded
+from verbteach_tui.terminal import has_terminal
 
 
 def test_version_alone_and_beside_other_words_say_the_same() -> None:
@@ -47,6 +48,21 @@ def test_the_tree_of_commands_loads_nothing_heavy() -> None:
 def test_without_a_terminal_home_says_how_to_go_on() -> None:
     assert_refused(here(), "terminal", "verbteach teach --plain")
     assert_refused(process(), "terminal", "verbteach teach --plain")
+
+
+@pytest.mark.parametrize(("kind", "shown"), [("xterm", True), ("dumb", False), (None, False)])
+def test_a_terminal_of_no_kind_shows_no_screen(
+    kind: str | None, shown: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ours, theirs = os.openpty()
+    if kind is None:
+        monkeypatch.delenv("TERM", raising=False)
+    else:
+        monkeypatch.setenv("TERM", kind)
+    with os.fdopen(ours), os.fdopen(theirs) as terminal:
+        monkeypatch.setattr("sys.stdin", terminal)
+        monkeypatch.setattr("sys.stdout", terminal)
+        assert has_terminal() == shown
 
 
 @pytest.mark.parametrize("name", ["", *EXAMPLES])

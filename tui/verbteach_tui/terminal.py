@@ -12,8 +12,9 @@ SMALLEST = (60, 20)  # columns and lines of the smallest layout
 
 
 def has_terminal() -> bool:
-    """Whether a full screen can be shown and keys can be read."""
-    return sys.stdin.isatty() and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
+    """Whether a full screen can be shown and keys can be read; not where TERM names no kind."""
+    told = os.environ.get("TERM", "") not in {"", "dumb"}
+    return told and sys.stdin.isatty() and sys.stdout.isatty()
 
 
 def in_browser() -> bool:
