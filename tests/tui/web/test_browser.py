@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from pathlib import Path
+from urllib.parse import parse_qs, urlsplit
 
 import pytest
 
@@ -192,14 +193,22 @@ async def test_a_study_in_a_browser_keeps_nothing_before_consent_and_comes_back(
     assert next(iter(LogReader(log))).data["study"]["consent"]["answer"] == "yes"
 
 
+REMEMBERING = """
+    window.sockets = [];
+    window.WebSocket = class extends WebSocket {
+        constructor(url, ...rest) { super(url, ...rest); window.sockets.push(String(url)); }
+    };
+"""
+
+
 async def test_a_narrow_window_has_the_columns_of_the_smallest_layout(tmp_path: Path) -> None:
     with served(tmp_path / "records") as address:
         async with chromium(tmp_path / "profile") as browser:
             page = await browser.visit(address)
-            await page.shows("what verbs mean. Choose a room.")
             narrow = {"width": 390, "height": 800, "deviceScaleFactor": 1, "mobile": False}
             await page.ask("Emulation.setDeviceMetricsOverride", **narrow)
+            await page.ask("Page.addScriptToEvaluateOnNewDocument", source=REMEMBERING)
             await page.value("location.reload()")
-            await page.shows("what verbs mean. Choose a room.")  # with letters of 16: cut off
-            wide = "Math.max(...[...document.querySelectorAll('canvas')].map(c => c.clientWidth))"
-            assert 300 < await page.value(wide) <= 390
+            await page.until("!!window.sockets && window.sockets.length > 0")
+            query = parse_qs(urlsplit(await page.value("window.sockets[0]")).query)
+            assert 60 <= int(query["width"][0]) < 70
