@@ -248,6 +248,13 @@ def test_mistakes_are_put_down_to_causes(folder: Path, tmp_path: Path) -> None:
     assert_refused(here("evaluate", *words, "--out", tmp_path / "file"), "file")
 
 
+def test_processes_change_no_figure_of_a_policy_that_asks(folder: Path) -> None:
+    words = ("evaluate", "--data", folder, "--policy", "manual", "--noise", "std3", "--json")
+    both = [here(*words, "--runs", 2, "--jobs", jobs).document for jobs in (1, 2)]
+    assert both[0] == both[1]
+    assert both[0]["sji"]["runs"] == 2
+
+
 def test_weights_are_tested_without_learning_to_ask_again(folder: Path) -> None:
     document = scored("--data", folder, "--weights", STARTING, "--runs", 2)
     assert document["policy"] == "rl"

@@ -16,7 +16,9 @@ from verbteach_tui.commands.evaluate_mistakes import mistakes_document, print_mi
 from verbteach_tui.commands.evaluate_policy import (
     LEARNED,
     RULES,
+    Held,
     Question,
+    Spread,
     policy_document,
     taught_document,
 )
@@ -140,21 +142,20 @@ def evaluate(
     )
     if mistakes:
         _refuse_mistakes(asked, source)
+    if source is not None or asked.about_asking:
+        _refuse_she16({"--criterion": criterion, "--objects": objects})
+        asked.check()
     with progress() as show:
-        if source is not None or asked.about_asking:
-            _refuse_she16({"--criterion": criterion, "--objects": objects})
-            asked.check()
-            found = (
-                _data(data, test_data, show)
-                if source is None
-                else _to_test(test_data or data, show)
-            )
-            if source is not None:
-                document = taught_document(source, asked, found, show)
-            elif mistakes:
-                document = mistakes_document(asked, found, show, out, ceilings)
-            else:
-                document = policy_document(asked, found, show)
+        if source is not None:
+            found = _to_test(test_data or data, show)
+            document = taught_document(source, asked, found, show)
+        elif mistakes:
+            found = _data(data, test_data, show)
+            document = mistakes_document(asked, found, show, out, ceilings)
+        elif asked.about_asking:
+            spread = _runs_spread(asked, data, test_data, jobs, show)
+            found = _data(data, test_data, show)
+            document = policy_document(asked, found, show, spread=spread)
         else:
             setup = _setup(policy or "she16", criterion, objects, noise, noise_reading, seed or 0)
             found = _data(data, test_data, show)
@@ -247,6 +248,18 @@ def _to_test(data: Path | None, show: Progress) -> EvaluationData:
     if data is None:
         return _data(None, None, show)
     return to_test(data, lambda done, total: show("reading", done, total))
+
+
+def _runs_spread(
+    asked: Question, data: Path | None, test: Path | None, jobs: int, show: Progress
+) -> Spread | None:
+    """Runs in several processes; none where one is enough."""
+    if jobs == 1 or asked.runs == 1:
+        return None
+    from verbteach_scenarios.laboratories import LaboratorySource
+
+    held = Held(asked, LaboratorySource(data, test, asked.grounding))
+    return lambda numbers: list(_Spread(jobs, show)(held, numbers))
 
 
 def _grounded(setup: Setup, grounding: str, data: EvaluationData) -> Setup:

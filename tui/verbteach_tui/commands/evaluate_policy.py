@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from verbteach_tui.commands.streams import Progress
 from verbteach_tui.conclusion import WrongUseError
@@ -14,10 +14,15 @@ if TYPE_CHECKING:
     from verbteach.experiments.asked_command import Witness
     from verbteach.experiments.interactive_bench import Bench
     from verbteach.experiments.interactive_protocol import Config, Policies
+    from verbteach.experiments.interactive_results import Result
     from verbteach.policy.asking_policy import AskingPolicy
     from verbteach.verbs.instance import Instance
     from verbteach_scenarios.grounds import EvaluationData
+    from verbteach_scenarios.laboratories import LaboratorySource
     from verbteach_sessions.learned import Taught
+
+Spread: TypeAlias = "Callable[[Sequence[int]], list[Result]]"
+"""Holds the runs of these numbers, elsewhere, in their order."""
 
 LEARNED = "rl"
 RULES = ("manual", "random", "split", "silent")
@@ -46,6 +51,7 @@ class Question:
             raise WrongUseError(f"a policy that asks is {LEARNED}, {', '.join(RULES)}")
         if self.weights is not None and self.policy not in (None, LEARNED):
             raise WrongUseError(f"--weights is for --policy {LEARNED}")
+        given_policies(self)  # a file that does not fit is told before the data is read
 
     def config(self, run: int, apart: tuple[str, ...]) -> Config:
         """The configuration of one run, which tests in ``apart`` where it names environments."""
@@ -63,18 +69,37 @@ class Question:
 
 
 def policy_document(
-    asked: Question, data: EvaluationData, show: Progress, witness: Witness | None = None
+    asked: Question,
+    data: EvaluationData,
+    show: Progress,
+    witness: Witness | None = None,
+    spread: Spread | None = None,
 ) -> dict[str, Any]:
     """A policy learns to ask in some rooms, acquires verbs and is tested in the others.
 
     Test data is tested in one go, with nothing of it learned. ``witness`` is
-    told of the first run's test commands. Raises :class:`WrongUseError` where
-    there is too little to learn from.
+    told of the first run's test commands, unless ``spread`` holds the runs elsewhere.
     """
-    from verbteach.experiments.asked_command import unwitnessed
     from verbteach.experiments.figures import Observation
-    from verbteach.experiments.interactive_protocol import run
     from verbteach.experiments.policy_scores import policy_scores
+
+    if spread is None:
+        results = _held_here(asked, data, show, witness)
+    else:
+        results = spread(range(asked.runs))
+    learning = [
+        [Observation("lessons", sum(one.taught.questions.values()) / max(1, one.taught.dialogues))]
+        for one in results
+    ]
+    scores = policy_scores([one.tested for one in results], learning, asked.seed)
+    return {"policy": asked.policy or LEARNED, "grounding": asked.grounding, **scores}
+
+
+def _held_here(
+    asked: Question, data: EvaluationData, show: Progress, witness: Witness | None
+) -> list[Result]:
+    from verbteach.experiments.asked_command import unwitnessed
+    from verbteach.experiments.interactive_protocol import run
 
     bench, policies = bench_for(asked, data), given_policies(asked)
     results = []
@@ -84,12 +109,23 @@ def policy_document(
         config = asked.config(number, data.apart)
         results.append(run(bench, config, policies, staged(show), told))
     show("runs", asked.runs, asked.runs)
-    learning = [
-        [Observation("lessons", sum(one.taught.questions.values()) / max(1, one.taught.dialogues))]
-        for one in results
-    ]
-    scores = policy_scores([one.tested for one in results], learning, asked.seed)
-    return {"policy": asked.policy or LEARNED, "grounding": asked.grounding, **scores}
+    return results
+
+
+@dataclass(frozen=True)
+class Held:
+    """Holds a run in whatever process it is in, which reads the data once."""
+
+    asked: Question
+    source: LaboratorySource
+
+    def __call__(self, number: int) -> Result:
+        """The run of that number."""
+        from verbteach.experiments.interactive_protocol import run
+        from verbteach_scenarios.laboratories import laboratory
+
+        where = laboratory(self.source)
+        return run(where.bench, self.asked.config(number, where.apart), given_policies(self.asked))
 
 
 def taught_document(
