@@ -45,8 +45,12 @@ def belief(history: History) -> tuple[float, ...]:
     return tuple((found / found.sum()).tolist())
 
 
+@cache
 def features(history: History) -> Floats:
-    """Candidates x features: two questions while there are any left, then carrying out."""
+    """Candidates x features: two questions while there are any left, then carrying out.
+
+    The same array for the same history: not to be written to.
+    """
     now = np.array(belief(history))
     best, asked = float(now.max()), len(history) / CAP
     rows = [[0.0, 0.0, 0.0, 0.0, 0.0, 1.0, best, best * best, asked]]
@@ -54,7 +58,23 @@ def features(history: History) -> Floats:
         rows = [
             [1.0, p, 1 - abs(2 * p - 1), best, asked, 0.0, 0.0, 0.0, 0.0] for p in now[:2]
         ] + rows
-    return np.array(rows)
+    found = np.array(rows)
+    found.flags.writeable = False
+    return found
+
+
+@cache
+def chances(rule: Rule, history: History) -> Floats:
+    """How likely a rule is to take each candidate; the same array for the same history."""
+    found = rule(features(history))
+    found.flags.writeable = False
+    return found
+
+
+@cache
+def answering(kind: tuple[float, float], question: int, goal: int) -> tuple[float, ...]:
+    """How likely each of the ``ANSWERS`` is from a teacher of this kind who has this goal."""
+    return tuple(float(likelihood(kind, question, answer)[goal]) for answer in ANSWERS)
 
 
 def softmax(theta: Floats, heat: float) -> Rule:
@@ -100,13 +120,11 @@ def truth(rule: Rule) -> float:
 
 
 def _value(rule: Rule, kind: tuple[float, float], goal: int, history: History) -> float:
-    chances = rule(features(history)).tolist()
-    *asking, ending = chances
+    *asking, ending = chances(rule, history).tolist()
     right = int(np.argmax(belief(history))) == goal
     value: float = ending * earned(question=False, good=right)
     for question, chance in enumerate(asking):
-        for answer in ANSWERS:
-            likely = float(likelihood(kind, question, answer)[goal])
+        for answer, likely in zip(ANSWERS, answering(kind, question, goal), strict=True):
             ahead = _value(rule, kind, goal, (*history, (question, answer)))
             value += chance * likely * (earned(question=True, good=answer == "yes") + GAMMA * ahead)
     return value
@@ -138,19 +156,18 @@ class Sampler:
         choices = []
         while True:
             offered = features(history)
-            chances = self.logged(offered)
-            taken = int(rng.choice(len(chances), p=chances))
-            target = self.evaluated(offered)
+            likely = chances(self.logged, history)
+            taken = int(rng.choice(len(likely), p=likely))
+            target = chances(self.evaluated, history)
             seen = offered[:, [0, 4, 5]] if coarse else offered
-            ends = taken == len(chances) - 1
+            ends = taken == len(likely) - 1
             if ends:
                 right = int(np.argmax(belief(history))) == goal
                 reward = earned(question=False, good=right)
             else:
-                weights = [float(likelihood(kind, taken, answer)[goal]) for answer in ANSWERS]
-                answer = ANSWERS[int(rng.choice(3, p=weights))]
+                answer = ANSWERS[int(rng.choice(3, p=answering(kind, taken, goal)))]
                 history = (*history, (taken, answer))
                 reward = earned(question=True, good=answer == "yes")
-            choices.append(Choice(seen, taken, float(chances[taken]), reward, target))
+            choices.append(Choice(seen, taken, float(likely[taken]), reward, target))
             if ends:
                 return Trajectory(tuple(choices), name)
