@@ -13,6 +13,7 @@ from tests.verbs.toy import NaivePlanner, Toy, held, lit, on
 from verbteach.verbs.change import ObjectSet, StateChange, Touch, restrict, things_of
 from verbteach.verbs.hypothesis import (
     GoalHypothesis,
+    Learner,
     LearningParameters,
     NoHypothesis,
     NoHypothesisReason,
@@ -103,7 +104,7 @@ def test_pruning_keeps_what_brute_force_keeps(pair: Taught) -> None:
     _, shown = pair
     base = base_hypothesis(shown, (), learner())
     if isinstance(base, GoalHypothesis):
-        found = generalisations(base, shown.start, PLANNER)
+        found = generalisations(base, shown.start, learner())
         assert found[0] == base.goal
         assert len(found) == len(set(found))
         assert set(found) == kept_by_brute_force(base)
@@ -116,7 +117,7 @@ def test_nothing_below_a_rejected_goal_is_planned(pair: Taught) -> None:
     base = base_hypothesis(shown, (), learner())
     if isinstance(base, GoalHypothesis):
         witness = NaivePlanner(TOY)
-        kept = set(generalisations(base, shown.start, witness))
+        kept = set(generalisations(base, shown.start, Learner(witness, TOY.surroundings)))
         rejected = [goal for goal in witness.asked if goal not in kept]
         assert len(witness.asked) == len(set(witness.asked))
         assert not any(low < high for low in witness.asked for high in rejected)
@@ -125,7 +126,8 @@ def test_nothing_below_a_rejected_goal_is_planned(pair: Taught) -> None:
 def test_without_pruning_every_subset_stays() -> None:
     base = base_hypothesis(SHOWN, (), learner())
     assert isinstance(base, GoalHypothesis)
-    assert len(generalisations(base, START, PLANNER, prune=False)) == 2 ** len(base.goal) - 1
+    every = learner(LearningParameters(prune=False))
+    assert len(generalisations(base, START, every)) == 2 ** len(base.goal) - 1
 
 
 def test_pruning_drops_a_goal_that_a_shorter_plan_reaches() -> None:

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from verbteach_sessions.session import Session
 
 LEARNED, WRITTEN = "rl", "she16"
+EXHAUSTIVE = 5
+"""Changes up to which a person waits for a plan for every part of a demonstration's goal."""
 
 
 @dataclass(frozen=True)
@@ -96,6 +98,7 @@ class Beginning:
             raise WrongUseError("a second opinion needs the extra verbteach[nlp], not installed")
         from verbteach.dialogue.parameters import RobotParameters
         from verbteach.perception.noise import NoiseModel
+        from verbteach.verbs.hypothesis import LearningParameters
         from verbteach_sessions.method import POLICIES, Method
         from verbteach_sessions.study.capping import capped
 
@@ -105,7 +108,10 @@ class Beginning:
             has = ", ".join(POLICIES)
             raise WrongUseError(f"this version has no policy {policy!r}; it has: {has}")
         noise = NoiseModel.named(chosen.noise, chosen.noise_reading)
-        parameters = RobotParameters(seed=chosen.seed, noise=noise)
+        # What was promised was calibrated with every part of a demonstration planned for.
+        patience = None if chosen.promise is not None else EXHAUSTIVE
+        learning = LearningParameters(exhaustive=patience)
+        parameters = RobotParameters(seed=chosen.seed, noise=noise, learning=learning)
         if chosen.questions is not None:
             parameters = capped(parameters, chosen.questions)
         promise = None if chosen.promise is None else self._promise(policy, chosen.promise)

@@ -184,10 +184,10 @@ def _telling_order(draft: Draft, goal: Goal) -> tuple[int, int, list[Literal]]:
 
 def _space(draft: Draft, whole: Goal) -> HypothesisSpace | None:
     """The demonstration's own space, over the widest object set that gives one."""
-    shown = _shown(draft, whole)
+    shown, setting = _shown(draft, whole), draft.mind.setting
     for objects in _NARROWER:
         parameters = replace(draft.mind.parameters.learning, object_set=objects)
-        learner = Learner(draft.mind.setting.planner, draft.mind.setting.surroundings, parameters)
+        learner = Learner(setting.planner, setting.surroundings, parameters, setting.task)
         space = derive(described(draft, "shown"), shown, learner)
         if not isinstance(space, NoHypothesis):
             return space

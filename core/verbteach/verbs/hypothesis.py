@@ -7,14 +7,16 @@ base, and what is below a rejected goal is rejected without planning.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 
 from verbteach.verbs.change import ObjectSet, StateChange, Touch, restrict, things_of
 from verbteach.verbs.surroundings import Surroundings
 from verbteach.world.fluents import Goal, Literal, State
+from verbteach.world.necessity import steps_needed
 from verbteach.world.plan import Action, Plan, PlanFailure, Planner
+from verbteach.world.task import Task
 
 
 @dataclass(frozen=True)
@@ -27,6 +29,11 @@ class LearningParameters:
     one, or only when every one is; the papers leave it open. ``prune`` off
     keeps every subset of the base. ``generalise_confirmed`` also takes fluents
     away from a goal that a teacher confirmed; the papers know no such goal.
+
+    A base of more fluents than ``exhaustive`` is not planned for over and over
+    while somebody waits: of its smaller goals only those with one fluent less
+    are; one smaller still is kept if it needs as much of the base's plan as the
+    base does. None plans for all, as the papers do.
     """
 
     object_set: ObjectSet = ObjectSet.ALL
@@ -34,6 +41,7 @@ class LearningParameters:
     too_many: int = 10
     prune: bool = True
     generalise_confirmed: bool = False
+    exhaustive: int | None = None
 
 
 class NoHypothesisReason(Enum):
@@ -67,11 +75,12 @@ class Shown:
 
 @dataclass(frozen=True)
 class Learner:
-    """What learning needs beside the demonstration."""
+    """What learning needs beside the demonstration; without its ``task`` all is planned for."""
 
     planner: Planner
     surroundings: Surroundings
     parameters: LearningParameters = field(default_factory=LearningParameters)
+    task: Task | None = None
 
 
 @dataclass(frozen=True)
@@ -109,9 +118,7 @@ def planned_hypothesis(goal: Goal, start: State, planner: Planner) -> GoalHypoth
     return GoalHypothesis(goal, answer)
 
 
-def generalisations(
-    base: GoalHypothesis, start: State, planner: Planner, prune: bool = True
-) -> tuple[Goal, ...]:
+def generalisations(base: GoalHypothesis, start: State, learner: Learner) -> tuple[Goal, ...]:
     """The base and its kept subsets, specific to general, in a fixed order; never the empty goal.
 
     Plans at most once for each subset, fewer the more is rejected early.
@@ -119,15 +126,42 @@ def generalisations(
     fluents = tuple(sorted(base.goal))
     level = [(1 << len(fluents)) - 1]
     found = [base.goal]
+    keeps = _planned(base, start, learner)
     while level:
         smaller = _below(level, len(fluents))
         level = []
         for mask in smaller:
             goal = frozenset(_members(fluents, mask))
-            if not prune or planner.plan(start, goal) == base.plan:
+            if keeps(goal):
                 level.append(mask)
                 found.append(goal)
+        if _is_large(base, learner):
+            keeps = _needing_the_plan(base, start, learner)
     return tuple(found)
+
+
+def _is_large(base: GoalHypothesis, learner: Learner) -> bool:
+    """Whether planning for every subset would take too long."""
+    most = learner.parameters.exhaustive
+    return learner.parameters.prune and most is not None and len(base.goal) > most
+
+
+def _planned(base: GoalHypothesis, start: State, learner: Learner) -> Callable[[Goal], bool]:
+    """Keeps a goal whose own plan is the base's."""
+    if not learner.parameters.prune:
+        return lambda goal: True
+    return lambda goal: learner.planner.plan(start, goal) == base.plan
+
+
+def _needing_the_plan(
+    base: GoalHypothesis, start: State, learner: Learner
+) -> Callable[[Goal], bool]:
+    """Keeps a goal that needs as many steps of the base's plan as the base."""
+    task = learner.task
+    if task is None:
+        return _planned(base, start, learner)
+    steps = steps_needed(task, start, base.plan, base.goal)
+    return lambda goal: steps_needed(task, start, base.plan, goal) >= steps
 
 
 def _members(fluents: Sequence[Literal], mask: int) -> Iterator[Literal]:

@@ -116,7 +116,7 @@ def _generalised(base: GoalHypothesis, shown: Shown, learner: Learner) -> tuple[
         large = len(base.goal) >= parameters.too_many
         if large or not parameters.generalise_confirmed:
             return (base.goal,)
-    return generalisations(base, shown.start, learner.planner, parameters.prune)
+    return generalisations(base, shown.start, learner)
 
 
 def _one_less(goal: Goal) -> list[Goal]:
