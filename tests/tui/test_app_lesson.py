@@ -160,6 +160,9 @@ async def test_a_session_is_left_and_gone_on_with(tmp_path: Path) -> None:
         await here.key("f10")
         assert not isinstance(here.app.screen, TeachScreen)
         await here.pilot.pause(0.2)
+        listed = here.app.screen.query_one("#sessions", OptionList).get_option_at_index(0)
+        assert "kitchen-1" in str(listed.prompt)
+        assert "✗" not in str(listed.prompt)
         await here.key("c")
         await here.key("enter")
         assert here.teach.teaching.session.path == path
