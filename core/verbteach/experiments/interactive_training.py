@@ -60,7 +60,7 @@ class TrainingParameters:
     warm: int = 250
     epsilon: float = 0.3
     gamma: float = 0.99
-    price: float = 3.2
+    price: float = 3.5
     graded: bool = True
     levels: bool = False
     rewards: Rewards = field(default_factory=Rewards)
