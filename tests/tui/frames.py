@@ -2,8 +2,8 @@
 
 Textual paints sixty times a second and takes an app for idle after twenty milliseconds of
 quiet. Where nobody watches, a look is what follows a key or a pause; by then the app is laid
-out, and painted once. Quiet is seen after five milliseconds, if nothing waits in the event
-loop by then, either.
+out, and painted once. Quiet is seen after two times five milliseconds, if nothing waits in the
+event loop by then, either.
 """
 
 from __future__ import annotations
@@ -105,11 +105,11 @@ def _look(app: App[Any]) -> None:
 
 
 async def _idle(shortest: float = QUIET, longest: float = 1) -> None:
-    """Wait until nothing is done and nothing is due, as ``wait_for_idle`` of Textual."""
-    start, working = monotonic(), True
-    while working and monotonic() - start < longest:
+    """Wait until nothing is done and nothing is due, twice in a row: a busy machine may halt it."""
+    start, quiet = monotonic(), 0
+    while quiet < 2 and monotonic() - start < longest:
         before = process_time()
         await asyncio.sleep(QUIET)
         waiting = asyncio.get_running_loop()._ready  # type: ignore[attr-defined]
         working = bool(waiting) or process_time() - before > WORK * QUIET
-        working = working or monotonic() - start < shortest
+        quiet = 0 if working or monotonic() - start < shortest else quiet + 1

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
 
@@ -35,13 +35,19 @@ async def playing(
 ) -> AsyncIterator[tuple[ReplayScreen, Pilot[None]]]:
     app = VerbteachApp(options(path.parent, OpenRecord(path, at, speed)))
     async with piloted(app, size=size) as pilot:
-        for _ in range(400):
-            if isinstance(app.screen, ReplayScreen):
-                break
-            await pilot.pause(0.02)
+        await shown_on(pilot, lambda: isinstance(app.screen, ReplayScreen))
         assert isinstance(app.screen, ReplayScreen)
         await pilot.pause()
         yield app.screen, pilot
+
+
+async def shown_on(pilot: Pilot[None], come: Callable[[], bool]) -> None:
+    """Wait for what is to ``come``."""
+    for _ in range(400):
+        if come():
+            return
+        await pilot.pause(0.02)
+    raise AssertionError("it never came")
 
 
 def lines(screen: ReplayScreen) -> list[str]:
@@ -96,19 +102,18 @@ async def test_a_turn_is_picked_and_the_scene_and_the_stage_follow(tmp_path: Pat
     path = said(tmp_path, *LESSON)
     async with playing(path) as (screen, pilot):
         await pilot.press("g")
-        await pilot.pause()
+        await shown_on(pilot, lambda: isinstance(screen.app.screen, TurnPicker))
         picker = screen.app.screen
-        assert isinstance(picker, TurnPicker)
         turns = picker.query_one("#turns", OptionList)
         labels = [str(option.prompt) for option in turns.options]
         turns.highlighted = next(i for i, label in enumerate(labels) if "open the fridge" in label)
         turns.highlighted += 2
         await pilot.press("enter")
+        await shown_on(pilot, lambda: screen.app.screen is screen and screen.past.at > 0)
         await pilot.pause()
-        assert screen.app.screen is screen
         assert screen.snapshot.shown == ("go to the fridge", "open the fridge")
         assert "fridge" in screen.query_one(SceneView).text
-        assert screen.query_one(Stage).builder.has_class("-on")
+        assert screen.query_one(Stage).builder.display
 
 
 async def test_it_plays_by_itself_and_stops_at_the_end(tmp_path: Path) -> None:
