@@ -122,6 +122,9 @@ def test_a_promise_that_rests_on_too_little_is_refused() -> None:
     wrong = [Course((Piece(0.9, WRONG, 0), LAST))]
     with pytest.raises(UnkeepablePromiseError, match="at most 50% was right"):
         cut_for((right + wrong) * 60, 0.8)
+    surest = [Course((Piece(0.95, RIGHT, 0), LAST))]
+    with pytest.raises(UnkeepablePromiseError, match="at most 58% was right"):
+        cut_for(surest * 20 + (right + wrong) * 50, 0.8)
     certain = [Course((Piece(math.inf, WRONG, 0),))]
     with pytest.raises(UnkeepablePromiseError, match="however sure"):
         cut_for(certain * 60, 0.8)

@@ -109,7 +109,7 @@ def of_carried_out(courses: Sequence[Course], rate: float, confidence: float = C
             break
         found = step.cut
     if found is None:
-        raise UnkeepablePromiseError(_why_not(steps, rate, 1 - confidence))
+        raise UnkeepablePromiseError(_why_not(steps, begin, rate, 1 - confidence))
     return found
 
 
@@ -153,8 +153,11 @@ def _chance(wrong: int, among: int, share: float) -> float:
     )
 
 
-def _why_not(steps: Sequence[_Step], rate: float, level: float) -> str:
-    """Too few executions for even a faultless robot to pass, or too many of them wrong."""
+def _why_not(steps: Sequence[_Step], begin: int, rate: float, level: float) -> str:
+    """Too few executions for even a faultless robot to pass, or too many of them wrong.
+
+    Stricter cuts than the one at ``begin`` were not tried, however right they are.
+    """
     needed = math.ceil(math.log(level) / math.log(rate))
     most = max((step.carried_out for step in steps), default=0)
     if most < needed:
@@ -162,7 +165,9 @@ def _why_not(steps: Sequence[_Step], rate: float, level: float) -> str:
             f"{rate:.0%} cannot be promised: {most} commands were carried out in the calibration,"
             f" and it takes {needed} or more"
         )
-    best = max(1 - step.wrong / step.carried_out for step in steps if step.carried_out >= needed)
+    enough = [one for one in steps if one.carried_out >= needed]
+    tried = [one for one in steps[begin:] if one.carried_out >= needed] or enough
+    best = max(1 - one.wrong / one.carried_out for one in tried)
     return (
         f"{rate:.0%} cannot be promised: of what was carried out in the calibration at most"
         f" {best:.0%} was right, and that has to be clearly more"
