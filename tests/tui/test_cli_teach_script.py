@@ -185,9 +185,9 @@ def test_whatever_ends_the_process_all_that_was_answered_is_kept(
         env=dict(os.environ),
     )
     assert child.stdin is not None
-    child.stdin.write("command: fetch the kettle\ndo: moveto Kettle_1\n")
+    child.stdin.write("command: fetch the kettle\ndo: moveto Kettle_1\nnote: near it\n")
     child.stdin.flush()
-    _wait_for_events(tmp_path, 6)
+    _wait_for_events(tmp_path, 7)  # what comes before the last one was answered for certain
     child.send_signal(sent)
     try:
         child.wait(timeout=60)  # its standard input stays open: nothing else may end it
@@ -201,6 +201,7 @@ def test_whatever_ends_the_process_all_that_was_answered_is_kept(
         assert f"--resume {session}" in err
     rest = "do: grasp Kettle_1\ndone\ngood\n"
     ran = here("teach", "--teacher", "-", "--resume", session, "--json", typed=rest)
+    assert ran.status == 0, ran.err
     assert ran.document["verbs_learned"] == ["fetch"]
     assert here("replay", session, "--verify").status == 0
 
