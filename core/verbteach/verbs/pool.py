@@ -338,7 +338,8 @@ class PoolSource:
         left = rows.any(1)
         truths, source = _distinct(rows[left])
         share_open = rows.sum(1) / np.maximum(wanted.sum(1), 1)
-        of_held = rows[:, speaking_of([literals[c] for c in order], held)].any(1)
+        about = speaking_of([literals[c] for c in order] if held else (), held)
+        of_held = rows[:, about].any(1) if held else np.zeros(len(rows), dtype=bool)
         alike = np.column_stack([found.alike, share_open, of_held])
         log = found.words + alike @ self.parameters.kernel.of_bindings
         weight = found.share * np.exp(log - (log.max() if len(log) else 0.0))
