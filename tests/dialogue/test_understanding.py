@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from tests.dialogue.stage import robot, shown, tell
+from tests.dialogue.stage import robot, shown, taught_to_boil, tell
 from verbteach.dialogue import acts
 from verbteach.dialogue.moves import Phase
 from verbteach.dialogue.robot import Robot
 from verbteach.dialogue.turn import RobotTurn
+from verbteach.world.fluents import Fluent
 
 
 def asked(listener: Robot, *said: str) -> RobotTurn:
@@ -87,6 +88,48 @@ def test_a_correction_names_another_thing_or_several(
     assert turn.phase is Phase.JUDGEMENT
     tell(listener, acts.Say(corrected))
     assert meant(listener, said[0].removeprefix("grab ")) == things
+
+
+@pytest.mark.parametrize(
+    ("said", "burner"),
+    [
+        ("no, the back burner", "Burner_2"),
+        ("I meant the back burner", "Burner_2"),
+        ("no, the other one", "Burner_2"),
+        ("not the front burner, the back one", "Burner_2"),
+        ("no, the front burner", None),
+        ("no, the window", None),
+        ("no, the water", None),
+    ],
+)
+def test_a_correction_names_a_thing_that_the_robot_chose_itself(
+    said: str, burner: str | None
+) -> None:
+    """Nobody had spoken of a burner in kitchen-3, which has two."""
+    listener = taught_to_boil()
+    before = tell(listener, acts.GoToScene("kitchen-3"), acts.Command("boil the water"))
+    start = listener.state.episode.start if listener.state.episode else frozenset()
+    assert "Burner_1" in str(before.waiting_act)
+    turn = tell(listener, acts.Say(said))
+    if burner is None:
+        assert turn.phase is Phase.DEMONSTRATION
+        assert listener.state.world == start
+    else:
+        assert turn.phase is Phase.JUDGEMENT
+        assert Fluent("on", ("Kettle_1", burner)) in listener.state.world
+        assert turn.reward < 0
+        assert "put everything back" in turn.texts[-1]
+        assert "You said" in listener.explain()[0]
+        tell(listener, acts.Good())
+        assert listener.turn.phase is Phase.COMMAND
+
+
+def test_words_that_correct_nothing_are_asked_about_again() -> None:
+    listener = taught_to_boil()
+    tell(listener, acts.GoToScene("kitchen-3"))
+    turn = asked(listener, "boil the water", "the window")
+    assert turn.phase is Phase.JUDGEMENT
+    assert any("Say yes if it was right" in text for text in texts(turn))
 
 
 def texts(turn: RobotTurn) -> list[str]:

@@ -15,6 +15,7 @@ from verbteach.dialogue.acts import (
     RequestDemonstration,
     SelectHypo,
 )
+from verbteach.dialogue.acts.execution import CORRECTED
 from verbteach.dialogue.asking import execution_inquiry, sensible
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.moves import Phase
@@ -34,7 +35,7 @@ from verbteach.language.refer import Candidates
 from verbteach.verbs.application import GroundingBelief, Situation
 from verbteach.verbs.selection import GoalCandidate, Selection, candidates, select
 from verbteach.verbs.space import FrameKey
-from verbteach.world.fluents import State
+from verbteach.world.fluents import Goal, State
 from verbteach.world.plan import Plan
 
 _CONSIDERED = 6
@@ -133,6 +134,19 @@ def correct_reference(draft: Draft, phrase: str, things: Candidates) -> None:
         draft.experience.append((phrase, things[0][0]))
     draft.update(grounding=episode.grounding.restrict(phrase, dict(things)), execution=None)
     deliberate(draft)
+
+
+def correct_goal(draft: Draft, goal: Goal) -> bool:
+    """A goal put right by the teacher: carry it out from the start; False where no plan does."""
+    episode = draft.episode
+    believed = execution_inquiry(draft).believed if draft.mind.asks else episode.belief.believed()
+    answer = draft.mind.setting.planner.plan(believed, goal)
+    if goal in episode.rejected or not isinstance(answer, Plan) or not answer.actions:
+        return False
+    carrying_out.disapprove(draft)
+    draft.remember(world=episode.start)
+    carrying_out.execute(draft, SelectHypo(goal, CORRECTED, answer.actions))
+    return True
 
 
 def joint_groundings(episode: EpisodeState) -> GroundingBelief:

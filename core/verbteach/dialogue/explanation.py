@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from verbteach.dialogue import acts
+from verbteach.dialogue.acts.execution import CORRECTED
 from verbteach.dialogue.asking import execution_inquiry, sensible
 from verbteach.dialogue.consequences import consequences
 from verbteach.dialogue.decision import Candidate, Decision
@@ -27,6 +28,8 @@ def explain(draft: Draft) -> tuple[str, ...]:
     """The robot's last turn, in a few sentences each of which can stand for itself."""
     turn = draft.state.turn
     act = turn.waiting_act
+    if isinstance(act, acts.SelectHypo) and act.hypothesis == CORRECTED:
+        return ("You said what was meant: I did the same with that instead.",)
     if not turn.decisions and not isinstance(act, acts.QUESTIONS):
         return ("I did not have to choose: this is what comes next.",)
     speech = Speech.of(draft.mind.setting, draft.state.world)

@@ -23,6 +23,7 @@ from verbteach.dialogue import (
 )
 from verbteach.dialogue.acts import DemonstrationReason, Outcome, TeacherAct
 from verbteach.dialogue.closing import await_command, close
+from verbteach.dialogue.corrections import another_reference, another_thing
 from verbteach.dialogue.draft import Draft, Mind
 from verbteach.dialogue.explanation import explain
 from verbteach.dialogue.moves import Phase, check_teacher_act
@@ -34,10 +35,10 @@ from verbteach.dialogue.state import RobotState
 from verbteach.dialogue.turn import RobotTurn
 from verbteach.dialogue.understanding import (
     check_object,
-    find_correction,
     read_verdict,
 )
 from verbteach.dialogue.wording import word_turn
+from verbteach.language.corrections import read_correction
 from verbteach.verbs.knowledge import VerbKnowledge
 
 
@@ -212,14 +213,11 @@ def _judgement(draft: Draft, act: TeacherAct) -> None:
 
 def _judgement_in_words(draft: Draft, text: str) -> None:
     reply = read_verdict(text)
-    correction = find_correction(draft, reply)
     draft.reading = reply.label
-    if correction is not None:
-        phrase, things = correction
-        draft.reading = f"{phrase}: {', '.join(thing for thing, _ in things)}"
-        execution.correct_reference(draft, phrase, things)
-    elif reply.label == "yes":
+    if reply.label == "yes":
         _judgement(draft, acts.Good())
+    elif _corrected(draft, text):
+        return
     elif reply.label == "no":
         _judgement(draft, acts.Bad())
     elif reply.label == "skip":
@@ -227,6 +225,24 @@ def _judgement_in_words(draft: Draft, text: str) -> None:
     else:
         draft.say(acts.AskAgain("Say yes if it was right, no if it was not, or skip."))
         draft.wait(_waiting(draft), Phase.JUDGEMENT)
+
+
+def _corrected(draft: Draft, text: str) -> bool:
+    """Whether the words said what should have been meant, and the robot starts over with it."""
+    correction = read_correction(text)
+    if correction is None:
+        return False
+    reference = another_reference(draft, correction)
+    if reference is not None:
+        phrase, things = reference
+        draft.reading = f"{phrase}: {', '.join(thing for thing, _ in things)}"
+        execution.correct_reference(draft, phrase, things)
+        return True
+    exchange = another_thing(draft, correction)
+    if exchange is None or not execution.correct_goal(draft, exchange.goal):
+        return False
+    draft.reading = f"{exchange.was}: {exchange.now}"
+    return True
 
 
 def _demonstration(draft: Draft, act: TeacherAct) -> None:

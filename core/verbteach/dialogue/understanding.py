@@ -90,13 +90,13 @@ def _example(setting: Setting) -> str:
 
 def _is_nonsense(draft: Draft, frames: tuple[VerbFrame, ...]) -> bool:
     """Whether no word of the command is known: an unknown verb alone may be taught."""
-    looks = _looks(draft)
+    looks = looks_now(draft)
     known = {*draft.state.knowledge.verbs, *draft.mind.setting.lexicon.verbs, *household.VERBS}
     return all(
         frame.arguments and frame.verb not in known and frame.verb.split()[0] not in known
         for frame in frames
     ) and not any(
-        _candidates(draft, argument, looks) or _guesses(draft, argument, looks)
+        fitting_objects(draft, argument, looks) or _guesses(draft, argument, looks)
         for frame in frames
         for argument in frame.arguments
     )
@@ -130,7 +130,7 @@ def clause_text(frame: VerbFrame) -> str:
 
 def attached(draft: Draft, frame: VerbFrame) -> VerbFrame:
     """The frame with its prepositional phrases where the scene says that they belong."""
-    return attach(frame, _looks(draft), [thing for _, thing in draft.state.spoken])
+    return attach(frame, looks_now(draft), [thing for _, thing in draft.state.spoken])
 
 
 def read_reply(text: str) -> Reply:
@@ -165,7 +165,7 @@ def ground_phrases(draft: Draft, frame: VerbFrame) -> tuple[GroundingBelief, fro
     existing knowledge). In one command a phrase keeps the meaning that it had
     in an earlier clause. Something taken from somewhere is there.
     """
-    looks = _looks(draft)
+    looks = looks_now(draft)
     weights: dict[str, Mapping[str, float]] = {}
     guessed = set()
     same = dict(draft.state.referents)
@@ -173,7 +173,7 @@ def ground_phrases(draft: Draft, frame: VerbFrame) -> tuple[GroundingBelief, fro
         if argument.phrase.text in same:
             weights[argument.phrase.text] = {same[argument.phrase.text]: 1.0}
             continue
-        found = _candidates(draft, argument, looks)
+        found = fitting_objects(draft, argument, looks)
         if not found:
             found = _guesses(draft, argument, looks)
             guessed |= {argument.phrase.text} if found else set()
@@ -181,7 +181,8 @@ def ground_phrases(draft: Draft, frame: VerbFrame) -> tuple[GroundingBelief, fro
     return GroundingBelief.of(together(frame, weights, looks)), frozenset(guessed)
 
 
-def _candidates(draft: Draft, argument: Argument, looks: Looks) -> Candidates:
+def fitting_objects(draft: Draft, argument: Argument, looks: Looks) -> Candidates:
+    """The objects that an argument of the command may mean by its own words."""
     spoken = [thing for _, thing in draft.state.spoken]
     return refer(argument.phrase, looks, spoken, argument.role)
 
@@ -210,12 +211,12 @@ def _experienced(draft: Draft, phrase: str, found: Candidates) -> dict[str, floa
 
 def find_objects(draft: Draft, phrase: str, text: str) -> Found:
     """Objects that an answer's words mean, among the question's candidates if any of them fit."""
-    told = _noun_phrase(draft, text)
+    told = read_noun_phrase(draft, text)
     if told is None:
         return Found((), "I did not understand that. Name the thing, or point at it.")
     current = [thing for thing, _ in draft.episode.grounding[phrase]]
     spoken = [*(thing for _, thing in draft.state.spoken), *current[:1]]
-    found = refer(told, _looks(draft), spoken, listed=current)
+    found = refer(told, looks_now(draft), spoken, listed=current)
     among = tuple(row for row in found if row[0] in current)
     points_back = told.head == "one" and bool(current)
     if among or (found and not points_back):
@@ -227,7 +228,7 @@ def find_objects(draft: Draft, phrase: str, text: str) -> Found:
 
 def _respelled(draft: Draft, told: NounPhrase) -> str:
     """The noun, or what describes it, as it may have been meant; empty where all is known."""
-    setting, looks = draft.mind.setting, _looks(draft)
+    setting, looks = draft.mind.setting, looks_now(draft)
     if told.head != "one" and (near := suggest(told.head, setting.vocabulary)):
         return near[0]
     marks = {mark for thing in looks.objects for mark in looks.names.lasting_marks(thing)}
@@ -239,44 +240,12 @@ def _respelled(draft: Draft, told: NounPhrase) -> str:
     return ""
 
 
-def _noun_phrase(draft: Draft, text: str) -> NounPhrase | None:
+def read_noun_phrase(draft: Draft, text: str) -> NounPhrase | None:
     """Read a bare noun phrase: as the object of a verb that takes any."""
     setting = draft.mind.setting
     bare = text.removeprefix("it 's ").removeprefix("it is ").removeprefix("that is ")
     frames = parse(f"take {bare}", setting.lexicon, setting.vocabulary)
     return frames[0].phrases[0] if frames and frames[0].phrases else None
-
-
-def find_correction(draft: Draft, reply: Reply) -> tuple[str, Candidates] | None:
-    """A noun phrase of the command and what it should have meant: "no, the other pot".
-
-    Of several things those that the phrase itself fits.
-    """
-    told = _noun_phrase(draft, reply.rest) if reply.label == "no" and reply.rest else None
-    if told is None:
-        return None
-    looks = _looks(draft)
-    for argument in draft.episode.frame.arguments:
-        phrase = argument.phrase.text
-        was = draft.episode.grounding.best(phrase)
-        found = refer(told, looks, [was] if was else [])
-        others = [
-            row for row in found if row[0] != was and _alike(looks, phrase, was, row[0], told)
-        ]
-        fitting = {thing for thing, _ in _candidates(draft, argument, looks)}
-        among = tuple(row for row in others if row[0] in fitting) or tuple(others)
-        if among:
-            return phrase, among
-    return None
-
-
-def _alike(looks: Looks, phrase: str, was: str | None, now: str, told: NounPhrase) -> bool:
-    """Whether the correction speaks of the same kind of thing as the phrase did."""
-    if told.head in phrase.lower().split() or told.head == "one":
-        return True
-    return was is not None and bool(
-        set(looks.objects[was].names).intersection(looks.objects[now].names)
-    )
 
 
 def check_object(setting: Setting, object_id: str) -> None:
@@ -287,7 +256,8 @@ def check_object(setting: Setting, object_id: str) -> None:
         raise UnknownObjectError(f"there is no object {object_id!r} in {setting.scene.id}{offer}")
 
 
-def _looks(draft: Draft) -> Looks:
+def looks_now(draft: Draft) -> Looks:
+    """How things are just now, for words to refer to."""
     setting = draft.mind.setting
     return Looks.at(setting.scene, draft.state.world, setting.lexicon)
 

@@ -12,6 +12,7 @@ from typing import Any
 
 from verbteach.dialogue import acts
 from verbteach.dialogue.acts import DemonstrationReason, Outcome, RobotAct
+from verbteach.dialogue.acts.execution import CORRECTED
 from verbteach.dialogue.demonstration import ordered
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.lacking import lacking
@@ -128,7 +129,8 @@ def _select_hypo(act: acts.SelectHypo, about: _About) -> str:
     done = about.draft.trace.done if about.draft.trace else act.plan
     steps = listing([about.speech.words.did(step) for step in done])
     did = f" I {steps}." if steps else ""
-    return f"I take {about.doing} to mean that {goal}.{did} Was that right?"
+    back = "I see, and have put everything back first. " if act.hypothesis == CORRECTED else ""
+    return f"{back}I take {about.doing} to mean that {goal}.{did} Was that right?"
 
 
 def _report_execution(act: acts.ReportExecution, about: _About) -> str:

@@ -8,6 +8,8 @@ from typing import ClassVar
 from verbteach.world.fluents import Fluent, Goal, Literal
 from verbteach.world.plan import Action
 
+CORRECTED = "corrected"
+
 
 @dataclass(frozen=True)
 class EnvPredYnq:
@@ -30,7 +32,8 @@ class SelectHypo:
     """Table 2, act 5: choose a goal hypothesis, plan to it and execute the plan.
 
     ``goal`` is grounded; ``hypothesis`` names the node of the hypothesis space
-    that it came from; ``plan`` is what the robot will do.
+    that it came from, or is ``CORRECTED`` where the teacher has put a goal right;
+    ``plan`` is what the robot will do.
     """
 
     goal: Goal
