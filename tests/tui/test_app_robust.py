@@ -112,19 +112,48 @@ async def test_a_word_typed_where_keys_answer_is_one_answer_at_most(tmp_path: Pa
         assert [line.text for line in said] == ["bad"]
 
 
-@pytest.mark.parametrize("first", ["t", "open the fridge", "no"])
-async def test_enter_after_what_was_typed_where_keys_answer_takes_no_step(
-    tmp_path: Path, first: str
-) -> None:
+async def test_enter_after_a_key_where_keys_answer_takes_no_step(tmp_path: Path) -> None:
     async with room(tmp_path, patient=True, size=NORMAL) as here:
         await here.line("open the fridge")
         assert here.phase == "demonstration"
         here.teach.guard = KeyGuard()
         lists = here.teach.query_one("#actions", OptionList)
-        await here.pilot.press(*(" " if c == " " else c for c in first), "enter", "enter")
+        await here.pilot.press("d", "enter", "enter")
         await here.settle()
         assert here.teach.snapshot.shown == ()
         assert lists.has_focus, "nothing was chosen"
+
+
+async def test_a_line_that_begins_with_no_key_is_typed_at_once_without_losing_a_letter(
+    tmp_path: Path,
+) -> None:
+    async with room(tmp_path, patient=True, size=NORMAL) as here:
+        await here.line("open the fridge")
+        here.teach.guard = KeyGuard()
+        for character in "go to the fridge":  # all of it before anything of it is dealt with
+            here.app.post_message(events.Key("space" if character == " " else character, character))
+        await here.until(lambda: here.teach.query_one(CommandInput).value == "go to the fridge")
+        await here.key("enter")
+        assert here.teach.snapshot.shown == ("go to the fridge",)
+
+
+async def test_a_demonstration_that_is_dropped_says_how_it_comes_back(tmp_path: Path) -> None:
+    async with room(tmp_path, size=NORMAL, after=SHOWN) as here:
+        shown = here.teach.snapshot.shown
+        await here.key("s")
+        assert here.phase == "command"
+        assert any("Ctrl+Z" in one.message for one in here.app._notifications)
+        await here.key("ctrl+z")
+        assert here.teach.snapshot.shown == shown
+
+
+async def test_looking_at_another_panel_leaves_who_is_typing_in_the_line(tmp_path: Path) -> None:
+    async with room(tmp_path, size=NORMAL) as here:
+        line, scene = here.teach.query_one(CommandInput), here.teach.query_one("#scene")
+        await here.key("f3")
+        assert line.has_focus
+        await here.key("f3")
+        assert scene.has_focus
 
 
 async def test_a_word_typed_among_the_steps_edits_none(tmp_path: Path) -> None:

@@ -29,6 +29,15 @@ _ROOM = re.compile(
 )
 """A scene as a person may name it: scene kitchen-3; go to kitchen-3, as the dialogue has it."""
 
+_SESSION: Mapping[str, str] = {
+    **dict.fromkeys(
+        ("undo that", "undo it", "undo please", "take that back", "take it back"), "undo"
+    ),
+    **dict.fromkeys(("redo that", "redo it"), "redo"),
+    **dict.fromkeys(("exit", "bye", "goodbye", "good bye"), "quit"),
+}
+"""Other ways to say a word of the session."""
+
 _VERDICTS: Mapping[ScriptAct, ScriptAct] = {acts.Yes(): acts.Good(), acts.No(): acts.Bad()}
 
 
@@ -36,6 +45,13 @@ def without_slash(line: str) -> str:
     """What was typed, without the slash that words begin with elsewhere, as in: /quit."""
     text = line.strip()
     return text.lstrip("/").lstrip() or text
+
+
+def _of_the_session(text: str) -> str:
+    """The word where the line says no more than it in any letters, as in "Undo that."."""
+    bare = text.lower().rstrip(".!").rstrip()
+    word = _SESSION.get(bare, bare)
+    return word if word in _ALWAYS else text
 
 
 @dataclass(frozen=True)
@@ -55,7 +71,7 @@ class Reader:
 
         Raises ``LineSyntaxError`` where a word of the script is used wrongly.
         """
-        text = without_slash(line)
+        text = _of_the_session(without_slash(line))
         if not text:
             return None
         if self.phase is Phase.COMMAND:

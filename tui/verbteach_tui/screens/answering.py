@@ -18,8 +18,11 @@ from verbteach_tui.teaching import Teaching
 from verbteach_tui.widgets.command_input import CommandInput
 
 _TYPING = "To answer in words, press Tab or / first."
+_UNDO = " What the first letter said is taken back with u."
 _AHEAD = (Phase.COMMAND, Phase.DEMONSTRATION)
 """Where lines may be typed while the robot is still thinking about the last one."""
+_STEERS = {Phase.JUDGEMENT: "ex"}
+"""Letters that steer what is watched, and may come when it has just ended."""
 _TELLING = 4.0  # seconds for which that stays in view
 
 
@@ -41,6 +44,7 @@ class AnsweringScreen(SpeakingScreen):
     def on_key(self, event: events.Key) -> None:
         """A single key answers, unless it is part of a word being typed."""
         if self.typing:
+            self._catch_up(event)
             return
         if event.key == "enter" and self.guard.ends(event.time):
             self._typed_elsewhere(event)
@@ -57,11 +61,16 @@ class AnsweringScreen(SpeakingScreen):
             _consume(event)
             if self.guard.answers(event.time):
                 self._say_key(character)
-        elif character.isalpha() and self.snapshot.phase is Phase.COMMAND:
-            _consume(event)  # no key, and nothing was asked: a command begins with it
-            line = self.query_one(CommandInput)
-            line.focus()
-            line.insert_text_at_cursor(character)
+        elif character.isalpha() and character not in _STEERS.get(self.snapshot.phase, ""):
+            _consume(event)  # no key: a line begins with it
+            self.set_focus(self.query_one(CommandInput))
+            self.query_one(CommandInput).insert_text_at_cursor(character)
+
+    def _catch_up(self, event: events.Key) -> None:
+        """A letter on its way elsewhere when the line got the focus comes after the one before."""
+        if event.character is not None and event.is_printable:
+            _consume(event)
+            self.query_one(CommandInput).insert_text_at_cursor(event.character)
 
     def on_paste(self, event: events.Paste) -> None:
         """What is pasted where keys answer is meant for the line; nothing is said by it."""
@@ -76,7 +85,8 @@ class AnsweringScreen(SpeakingScreen):
         ended = event.key == "enter" or self.guard.swallowed == 2
         if ended and event.time - self._told >= _TELLING:
             self._told = event.time
-            self.notify(_TYPING, timeout=_TELLING)
+            said = self.guard.answered(event.time)
+            self.notify(_TYPING + (_UNDO if said else ""), timeout=_TELLING)
 
     def _answers(self, character: str) -> bool:
         snapshot = self.snapshot

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, ClassVar
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Container
+from textual.widgets import Input
 
 from verbteach_tui.screens.room import RoomScreen
 from verbteach_tui.snapshot import Moment, Snapshot
@@ -146,9 +147,11 @@ class PanelScreen(RoomScreen):
         self._look()
 
     def action_tab(self, name: str) -> None:
-        """Bring a panel into view; where all are, give it the keys."""
+        """Bring a panel into view and give it the keys; who is typing keeps them the first time."""
+        looking = self.app.size.width < ALL_FROM and name != self._tab
         self.choose_tab(name)
-        self.query_one(f"#{name}").focus()
+        if not (looking and isinstance(self.focused, Input)):
+            self.query_one(f"#{name}").focus()
 
     def action_belief(self) -> None:
         """Show beside the scene what the robot took it for, or no longer."""

@@ -45,6 +45,10 @@ from verbteach_tui.widgets.scene_chooser import LoadScene
 from verbteach_tui.widgets.stage import Stage
 from verbteach_tui.widgets.steps_view import EDITING
 
+_DROPPED = "What you showed is dropped. Ctrl+Z brings it back."
+_WITHOUT_IT = (Phase.COMMAND, Phase.EXECUTION, Phase.JUDGEMENT)
+"""Where a demonstration leads that nothing was learned from."""
+
 
 class TeachScreen(AnsweringScreen):
     """One session being taught in."""
@@ -67,6 +71,7 @@ class TeachScreen(AnsweringScreen):
         self._speed, self._scenes, self._load = speed, scenes, load
         self._after_leaving: Callable[[], object] | None = None
         self._phase = Phase.COMMAND
+        self._steps = 0
 
     def compose(self) -> ComposeResult:
         """Four panels, and below them what can be said."""
@@ -114,6 +119,7 @@ class TeachScreen(AnsweringScreen):
             line.focus()
         elif not (went_on and (line.has_focus or self.query_one(Stage).builder.editing)):
             self._answer_with_keys()
+        self._steps = len(snapshot.shown)
         self._show_keys()
 
     def _answer_with_keys(self) -> None:
@@ -176,8 +182,10 @@ class TeachScreen(AnsweringScreen):
             self.post_message(SessionLeft(self.teaching, self._after_leaving))
             return
         self.settled()
-        before = self._phase
+        before, steps = self._phase, self._steps
         self._show(message.snapshot, message.played)
+        if steps and before is Phase.DEMONSTRATION and message.snapshot.phase in _WITHOUT_IT:
+            self.notify(_DROPPED, timeout=8)
         self.say_what_was_typed_ahead(before)
         for screen in self.app.screen_stack:
             if isinstance(screen, VerbsScreen):
