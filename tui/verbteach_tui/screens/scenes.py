@@ -31,10 +31,10 @@ class ScenePicker(ModalScreen[str | None]):
         """The chooser and what it does."""
         with Vertical(classes="dialog -large") as dialog:
             dialog.border_title = "Go to another scene"
-            yield SceneChooser(self._scenes, self._load, self._current, id="chooser")
+            yield SceneChooser(self._scenes, self._load, self._current, typed=True, id="chooser")
             yield Static(
-                "Enter goes there. The robot takes along what it has learned, and finds the scene "
-                "as it starts.",
+                "Type a name to find it; Enter goes there. The robot takes along what it has "
+                "learned, and finds the scene as it starts.",
                 classes="quiet",
             )
         yield Foot()

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING, TypeAlias
 
+from textual import events
 from textual.app import ComposeResult
 from textual.containers import Horizontal
 from textual.content import Content
@@ -14,6 +15,7 @@ from textual.widgets import OptionList
 from textual.widgets.option_list import Option
 from textual.worker import get_current_worker
 
+from verbteach_tui.typed_name import TypedName
 from verbteach_tui.views.rows import Span, wrapped
 from verbteach_tui.views.visible import visible
 from verbteach_tui.widgets.scene_view import SceneView
@@ -54,10 +56,18 @@ class SceneChooser(Horizontal):
             self.problem = problem
 
     def __init__(
-        self, scenes: tuple[str, ...], load: LoadScene, current: str = "", *, id: str | None = None
+        self,
+        scenes: tuple[str, ...],
+        load: LoadScene,
+        current: str = "",
+        *,
+        typed: bool = False,
+        id: str | None = None,
     ) -> None:
+        """``typed``: letters jump to the scene whose name is typed; else they are left alone."""
         super().__init__(id=id)
         self._scenes, self._load, self._current = scenes, load, current
+        self._typed = TypedName(scenes) if typed else None
         self._pictures: dict[str, Picture] = {}
 
     def compose(self) -> ComposeResult:
@@ -75,6 +85,23 @@ class SceneChooser(Horizontal):
             options.highlighted = (
                 self._scenes.index(self._current) if self._current in self._scenes else 0
             )
+
+    def on_key(self, event: events.Key) -> None:
+        """Jump to the scene whose name is typed."""
+        if self._typed is None:
+            return
+        if event.key == "backspace":
+            found = self._typed.back(event.time)
+        elif event.character and event.is_printable and not event.character.isspace():
+            found = self._typed.type(event.character, event.time, self._highlighted or "")
+        else:
+            return
+        event.stop()
+        event.prevent_default()
+        options = self.query_one("#scene-list", OptionList)
+        options.border_subtitle = Content(self._typed.text)
+        if found is not None:
+            options.highlighted = self._scenes.index(found)
 
     @property
     def entering(self) -> str:
