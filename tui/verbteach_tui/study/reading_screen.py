@@ -109,6 +109,11 @@ class ReadingScreen(Screen[None]):
     def _come_into_view(self) -> None:
         self._shown = monotonic()
 
+    @property
+    def keys(self) -> frozenset[str]:
+        """The keys that choose."""
+        return frozenset(choice.key for choice in self._choices)
+
     def _drawn(self, width: int) -> list[Row]:
         rows: list[Row] = []
         for line in self._text.splitlines():
@@ -120,9 +125,14 @@ class ReadingScreen(Screen[None]):
         event.stop()
         self.action_choose(event.button.id or "")
 
+    @property
+    def is_readable(self) -> bool:
+        """Whether it has been in view for long enough to choose."""
+        return monotonic() - self._shown >= TOO_SOON
+
     def action_choose(self, word: str) -> None:
         """Say what was chosen, once, and not before it can be seen."""
-        if monotonic() - self._shown < TOO_SOON:
+        if not self.is_readable:
             return
         for button in self.query(Button):
             if button.disabled:
