@@ -218,9 +218,26 @@ async def test_a_full_disk_becomes_a_dialog(
             patch.setattr(Session, "perform", full)
             await here.line("open the fridge")
         assert isinstance(here.app.screen, FailureScreen)
+        assert not here.app.screen.query(".details"), "a full disk is no puzzle"
         await here.key("escape")
         await here.line("open the fridge")
         assert here.phase == "demonstration"
+
+
+async def test_a_full_disk_keeps_nobody_in_the_room(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(self: Session, *args: Any, **keywords: Any) -> None:
+        raise StorageError(self.path, OSError(28, "No space left on device"))
+
+    async with room(tmp_path) as here:
+        path = here.teach.teaching.session.path
+        monkeypatch.setattr(Session, "perform", full)
+        await here.key("ctrl+q")
+        await here.until(lambda: not here.app.is_running)
+    monkeypatch.undo()
+    with Session.resume(path, SETTINGS) as again:
+        assert again.robot.turn.phase.value == "command"
 
 
 async def test_a_session_that_cannot_be_opened_is_explained_at_home(tmp_path: Path) -> None:

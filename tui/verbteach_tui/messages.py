@@ -167,10 +167,14 @@ class Refused(Message):
 
 
 class WorkFailed(Message):
-    """Something broke in a worker over ``raw``; the session is as it was before."""
+    """Something broke in a worker over ``raw``; the session is as it was before.
 
-    def __init__(self, doing: str, error: Exception, raw: str) -> None:
+    ``leaving``: the person wanted no more than to leave.
+    """
+
+    def __init__(self, doing: str, error: Exception, raw: str, leaving: bool = False) -> None:
         super().__init__()
         self.doing = doing
         self.error = error
         self.raw = raw
+        self.leaving = leaving

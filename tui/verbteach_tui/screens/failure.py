@@ -11,6 +11,7 @@ from textual.containers import Vertical, VerticalScroll
 from textual.screen import ModalScreen
 from textual.widgets import Button, Static
 
+from verbteach_sessions.errors import SessionError
 from verbteach_tui.views.visible import visible
 from verbteach_tui.widgets.foot import Foot
 
@@ -31,14 +32,15 @@ class FailureScreen(ModalScreen[None]):
         self._doing, self._error, self._advice = doing, error, advice
 
     def compose(self) -> ComposeResult:
-        """One sentence, the details, a button."""
+        """One sentence, the details of what nobody foresaw, a button."""
         said = visible(str(self._error)) or type(self._error).__name__
         with Vertical(classes="dialog -bad") as dialog:
             dialog.border_title = "✗ That went wrong"
             yield Static(f"While {self._doing}: {said}", markup=False, classes="lead")
             yield Static(self._advice, markup=False)
-            with VerticalScroll(classes="details"):
-                yield Static(visible_lines(self._error), markup=False)
+            if not isinstance(self._error, SessionError):  # which says itself what is the matter
+                with VerticalScroll(classes="details"):
+                    yield Static(visible_lines(self._error), markup=False)
             yield Button("Go on", id="go-on", variant="primary", compact=True)
         yield Foot()
 

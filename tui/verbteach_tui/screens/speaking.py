@@ -12,7 +12,7 @@ from textual.timer import Timer
 
 from verbteach_sessions.errors import StorageError
 from verbteach_sessions.script import LineSyntaxError, ScriptAct
-from verbteach_sessions.session_acts import SessionAct
+from verbteach_sessions.session_acts import Quit, SessionAct
 from verbteach_tui.messages import Refused, TurnTaken, WorkFailed
 from verbteach_tui.screens.panels import PanelScreen
 from verbteach_tui.snapshot import Snapshot
@@ -84,7 +84,8 @@ class SpeakingScreen(PanelScreen):
             reason = str(error.args[0] if error.args else error)
             self.post_message(Refused(reason, raw))
         except StorageError as error:
-            self.post_message(WorkFailed("writing the record", error, raw))
+            leaving = isinstance(act, Quit)
+            self.post_message(WorkFailed("writing the record", error, raw, leaving))
         except Exception as error:
             self.post_message(WorkFailed("working out the robot's turn", error, raw))
         else:

@@ -46,6 +46,7 @@ from verbteach_tui.widgets.stage import Stage
 from verbteach_tui.widgets.steps_view import EDITING
 
 _DROPPED = "What you showed is dropped. Ctrl+Z brings it back."
+_LEFT_SO = "That you left could not be written down. Everything before it is kept."
 _WITHOUT_IT = (Phase.COMMAND, Phase.EXECUTION, Phase.JUDGEMENT)
 """Where a demonstration leads that nothing was learned from."""
 
@@ -199,8 +200,12 @@ class TeachScreen(AnsweringScreen):
         self.notify(visible(message.reason), severity="warning", markup=False, timeout=6)
 
     def on_work_failed(self, message: WorkFailed) -> None:
-        """Something broke; say so and go on."""
+        """Something broke; say so and go on. Nobody is kept here because the disk is full."""
         self.settled()
+        if message.leaving:  # the record is then like one that was cut off: it can be gone on with
+            self.app.notify(_LEFT_SO, severity="warning", timeout=8)
+            self.post_message(SessionLeft(self.teaching, self._after_leaving))
+            return
         self.give_back(message.raw)
         self._show_keys()
         self.app.push_screen(FailureScreen(message.doing, message.error))
