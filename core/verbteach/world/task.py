@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from verbteach.world.domain import Domain
 from verbteach.world.fluents import Fluent, Literal, State
@@ -175,13 +175,26 @@ def _encoded(
 ) -> tuple[GroundAction, ...]:
     """Encode the actions whose preconditions do not contradict themselves."""
     found: list[GroundAction] = []
+    shared: dict[Any, Any] = {}
+    known = shared.setdefault
     for action in symbolic:
         needs = _masks(action.precondition, bit)
         if needs[0] & needs[1]:
             continue
         add, delete, conditional = _effects(action.effects, needs, bit)
-        found.append(GroundAction(len(found), action.action, *needs, add, delete, conditional))
+        whens = tuple(_once(shared, when) for when in conditional)
+        true, false, add, delete = (known(mask, mask) for mask in (*needs, add, delete))
+        whens = known(whens, whens)
+        found.append(GroundAction(len(found), action.action, true, false, add, delete, whens))
     return tuple(found)
+
+
+def _once(shared: dict[Any, Any], when: ConditionalEffect) -> ConditionalEffect:
+    """The effect of equal ones that was met first, with its masks: a scene has thousands."""
+    if when not in shared:
+        shared[when] = ConditionalEffect(*(shared.setdefault(mask, mask) for mask in when))
+    kept: ConditionalEffect = shared[when]
+    return kept
 
 
 def _masks(literals: Iterable[Literal], bit: Mapping[Fluent, int]) -> tuple[int, int]:
