@@ -53,6 +53,8 @@ GO = Action("moveto", ("Fridge_1",))
         (Phase.JUDGEMENT, "yes", acts.Good()),
         (Phase.JUDGEMENT, "n", acts.Bad()),
         (Phase.JUDGEMENT, "stop: 3", acts.Stop(3)),
+        (Phase.JUDGEMENT, "stop", acts.Stop()),
+        (Phase.DEMONSTRATION, "stop", acts.Say("stop")),
         (Phase.READ_BACK, "no", acts.Bad()),
         (Phase.READ_BACK, "y", acts.Good()),
         (Phase.DEMONSTRATION, "go to the fridge", acts.Do(GO)),

@@ -27,6 +27,15 @@ LOCAL = {
 }
 """Words that only the plain mode knows; they are not for the robot and leave no record."""
 
+_MEANS = {
+    "why": "why the robot asks or does what it does",
+    "repeat": "what the robot said last, again",
+    "undo": "takes back what you said last",
+    "redo": "says again what you took back",
+    "flag": "marks the turn as odd",
+}
+"""What can be said at any time, where the bar's short labels would say too little."""
+
 _READ_BACK = "say y if that is right, n if not; a number strikes that part, or keeps it after all."
 
 _ANSWER = (
@@ -75,10 +84,14 @@ def help_lines(snapshot: Snapshot, hidden: Collection[str] = (), rooms: bool = T
     for key in answer_keys(snapshot.phase):
         said.setdefault(key.word, []).append(key.key)
     lines += [f"{word} or {' or '.join(keys)}" for word, keys in said.items()]
-    lines += [f"{key.word} or {key.key}: {key.label}" for key in anytime() if key.word != "note"]
+    lines += [
+        f"{key.word} or {key.key}: {_MEANS.get(key.word, key.label)}"
+        for key in anytime()
+        if key.word != "note"
+    ]
     lines += ["note: TEXT keeps a note beside the turn", "quit leaves; you can go on later"]
     if snapshot.phase is Phase.COMMAND and rooms:
-        lines.append("scene: NAME goes to another scene")
+        lines.append("scene: NAME goes to another scene; a NAME that is none gets you all of them")
     return lines + [f"{word}: {about}" for word, about in LOCAL.items() if word not in hidden]
 
 
@@ -96,7 +109,8 @@ def shown_lines(snapshot: Snapshot) -> list[str]:
     """The steps of the demonstration, what they changed, and how they are edited."""
     if not snapshot.shown:
         return ["Nothing shown yet."]
-    changes = [f"Changed: {change.text}." for change in snapshot.change]
+    told = [change for change in snapshot.change if not change.trifle] or snapshot.change
+    changes = [f"Changed: {change.text}." for change in told]
     edits = "To edit: remove: N, remove: N-M, move: N M, insert: N STEP."
     return [*numbered(snapshot.shown), *(changes or ["Nothing is different so far."]), edits]
 

@@ -79,6 +79,8 @@ class Reader:
         if text in self.choices:
             return acts.Point(self.choices[text])
         act = self._demonstrated(text) or self._word(text) or parse_line(text) or acts.Say(text)
+        if act == acts.Stop() and self.phase is not Phase.JUDGEMENT:
+            return acts.Say(text)  # nothing is being done that could be stopped: enough of this
         if self.phase in (Phase.JUDGEMENT, Phase.READ_BACK):
             return _VERDICTS.get(act, act)
         return act

@@ -6,6 +6,7 @@ import sys
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
+from shlex import quote
 from typing import TYPE_CHECKING, Annotated, Any, TextIO
 
 import typer
@@ -384,6 +385,10 @@ def _conclude(beginning: Beginning, as_json: bool) -> None:
         emit(came_of_it)
         return
     rows = [(key.replace("_", " "), _shown(value)) for key, value in came_of_it.items()]
+    if beginning.interface in ("app", "plain"):
+        scenes = f" --scenes {quote(str(beginning.scenes))}" if beginning.scenes else ""
+        again = f"verbteach teach --resume {quote(came_of_it['session'])}{scenes}"
+        rows.append(("to go on", again))
     tell()
     tell(columns(rows))
 
