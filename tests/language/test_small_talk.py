@@ -15,6 +15,8 @@ from verbteach.language.small_talk import Talk, small_talk
         ("what should I do now?", Talk.HELP),
         ("how do i teach you", Talk.HELP),
         ("that's it!", Talk.DONE),
+        ("thats it", Talk.DONE),
+        ("Im lost", Talk.HELP),
         ("so now I am done.", Talk.DONE),
         ("finished", Talk.DONE),
         ("never mind", Talk.GIVE_UP),

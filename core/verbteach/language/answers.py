@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
 
-from verbteach.language.tokens import COMMA, STOP, tokenise
+from verbteach.language.tokens import COMMA, STOP, spelled_out, tokenise
 from verbteach.language.wordlist import phrase_list, word_set
 
 
@@ -101,7 +101,7 @@ def read_answer(text: str) -> AnswerReading:
     stripped = text.strip()
     if stripped and set(stripped) == {"?"}:
         return AnswerReading(Label.UNSURE)
-    said = tokenise(_LETTER_N.sub("no", text.lower()))
+    said = tokenise(_LETTER_N.sub("no", spelled_out(text.lower())))
     tokens = _after([token for token in said if token not in _CANDID], _BETWEEN)
     labels: list[Label] = []
     while found := _leading(tokens):

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from verbteach.language.tokens import COMMA, STOP, tokenise
+from verbteach.language.tokens import COMMA, STOP, spelled_out, tokenise
 from verbteach.language.wordlist import phrase_list, word_set
 
 
@@ -46,7 +46,7 @@ def read_correction(text: str) -> Correction | None:
     Without a no, or words such as "I meant", it must begin with an article or
     the like: any other words may be about something else.
     """
-    tokens = _trimmed(tokenise(text))
+    tokens = _trimmed(tokenise(spelled_out(text)))
     said_no, tokens = _after_any(tokens, _NOES)
     if tokens[:1] == ["not"]:
         return _not_this_but(tokens[1:])

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from enum import Enum
 
-from verbteach.language.tokens import COMMA, STOP, tokenise
+from verbteach.language.tokens import COMMA, STOP, spelled_out, tokenise
 from verbteach.language.wordlist import phrase_list, word_set
 
 
@@ -28,7 +28,7 @@ _SAID = {
     Talk.HELP: """
         help, help me, what, what now, what next, what do i do, what do i do now, what do i say,
         what should i do, what should i do now, what should i say, what can i do, what can i say,
-        what can you do, what do you mean, what is this, what is that, what does that mean,
+        what can you do, what do you mean, what is this, what is that, what 's this, what 's that, what does that mean,
         what is going on, how, how do i do that, how do i do this, how do i teach you,
         how does this work, how do i show you, i do not understand, i do not get it, i need help,
         huh, eh, excuse me, sorry, pardon, where am i, who are you, i am lost, i am stuck
@@ -73,7 +73,7 @@ _TABLE = {words: kind for kind, text in reversed(_SAID.items()) for words in phr
 
 def small_talk(text: str) -> Talk | None:
     """What ``text`` says about the conversation; ``None`` where it is about something else."""
-    tokens = tokenise(text)
+    tokens = tokenise(spelled_out(text))
     whole = tuple(token for token in tokens if token not in {COMMA, STOP})
     while tokens and tokens[0] in _AROUND:
         tokens = tokens[1:]

@@ -53,6 +53,15 @@ _SUFFIXES = {
     "'ve": ("have",),
     "'m": ("am",),
 }
+_APOSTROPHES = {
+    word.replace("'", ""): word
+    for word in (
+        *("that's", "what's", "it's", "i'm", "i've", "they're", "you're", "there's"),
+        *("don't", "doesn't", "didn't", "isn't", "wasn't", "aren't", "can't", "shouldn't"),
+        *("needn't", "mustn't", "hasn't", "haven't", "couldn't"),
+    )
+}
+_BARE = re.compile(rf"\b(?:{'|'.join(_APOSTROPHES)})\b", re.IGNORECASE)
 _MARKS = {
     ".": STOP,
     "!": STOP,
@@ -67,6 +76,14 @@ _MARKS = {
     "/": "or",
     ",": COMMA,
 }
+
+
+def spelled_out(text: str) -> str:
+    """With the apostrophes that people leave out in passing: "thats it", "i dont know".
+
+    Not for commands, where "its" and the like are words of their own.
+    """
+    return _BARE.sub(lambda match: _APOSTROPHES[match.group().lower()], text)
 
 
 def tokenise(text: str) -> list[str]:
