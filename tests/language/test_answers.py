@@ -12,13 +12,15 @@ from verbteach.language.answers import AnswerReading, Label, read_answer
 
 YES = ("yes", "Yes!", "yeah", "sure", "that's right", "it is", "I think so", "Yes, it is.", "ok",
        "of course", "y", "yes please", "exactly", "That is correct.",
-       "yep, that's the one", "uh, yes", "you should", "it should be", "sure thing", "thats right")  # fmt: skip
+       "yep, that's the one", "uh, yes", "you should", "it should be", "sure thing",
+       "thats right")  # fmt: skip
 NO = ("no", "NO.", "nope", "not really", "I don't think so", "it isn't", "No, it is not",
       "certainly not", "n", "no, you don't have to", "You don't have to.", "wrong", "not that one",
       "no thanks", "of course not", "it's not", "hmm no", "you shouldn't", "not exactly",
       "it shouldn't be", "no it doesnt")  # fmt: skip
 UNSURE = ("I don't know", "dunno", "no idea", "not sure", "I'm not sure", "maybe", "?", "???",
-          "can't tell", "it depends", "who knows", "hard to say", "I have no idea.", "i dont know")  # fmt: skip
+          "can't tell", "it depends", "who knows", "hard to say", "I have no idea.",
+          "i dont know")  # fmt: skip
 UNREAD = ("", "   ", "the red one", "yes and no", "it is the red one", "right of the sink", "know",
           "good morning everyone", "nothing", "nobody", "yesterday", "не знаю", "\x00\x1b[31m",
           "no way to tell, yes", "no problem", "right away", "it's hot", "probably", "yess",

@@ -29,9 +29,10 @@ _SAID = {
         help, help me, what, what now, what next, what do i do, what do i do now, what do i say,
         what should i do, what should i do now, what should i say, what can i do, what can i say,
         what can you do, what do you mean, what is this, what is that, what 's this, what 's that,
-        what does that mean, what is going on, how, how do i do that, how do i do this, how do i teach you,
-        how does this work, how do i show you, i do not understand, i do not get it, i need help,
-        huh, eh, excuse me, sorry, pardon, where am i, who are you, i am lost, i am stuck
+        what does that mean, what is going on, how, how do i do that, how do i do this,
+        how do i teach you, how does this work, how do i show you, i do not understand,
+        i do not get it, i need help, huh, eh, excuse me, sorry, pardon, where am i, who are you,
+        i am lost, i am stuck
     """,
     Talk.DONE: """
         done, i am done, that is it, that is all, that 's it, that 's all, finished, i am finished,
