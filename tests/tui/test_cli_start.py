@@ -71,6 +71,8 @@ def test_help_is_plain_text_with_examples(name: str) -> None:
     assert ran.status == 0
     assert "Examples:" in ran.out
     assert "\x1b" not in ran.out
+    listed = [line for line in ran.out.splitlines() if line.startswith("  ")]
+    assert not any(line.endswith("...") for line in listed), "a summary is cut short"
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,9 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
     "verbteach": (
         "verbteach",
         "verbteach teach --scene kitchen-1",
+        "verbteach teach --plain",
+        "verbteach sessions list",
+        "verbteach doctor",
     ),
     "verbteach teach": (
         "verbteach teach --scene kitchen-1",
@@ -37,7 +40,10 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "verbteach replay my-sessions/20260101-120000-abcdefgh --verify --json",
         "verbteach replay my-sessions/20260101-120000-abcdefgh --policy split",
     ),
-    "verbteach sessions": ("verbteach sessions list",),
+    "verbteach sessions": (
+        "verbteach sessions list",
+        "verbteach sessions export my-sessions --to html --out pages",
+    ),
     "verbteach sessions list": (
         "verbteach sessions list",
         "verbteach sessions list --sessions my-sessions --json",
@@ -118,6 +124,7 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "verbteach scenes check --scenes my-scenes",
     ),
     "verbteach evaluate": (
+        "verbteach evaluate --from my-sessions/20260101-120000-abcdefgh",
         "verbteach evaluate --data tell-me-dave",
         "verbteach evaluate --data tell-me-dave --policy she16-all --grounding oracle --json",
         "verbteach evaluate --data tell-me-dave --noise std3 --runs 5",

@@ -89,17 +89,50 @@ GROUPS: Mapping[str, tuple[str, Mapping[str, Command]]] = {
     "benchmark": ("The Tell Me Dave corpus.", {"check": benchmark.check}),
 }
 
+SUMMARIES: Mapping[str, str] = {
+    "parse": "Show what the robot reads in a command.",
+    "train": "Learn when to ask what, from simulated teachers.",
+    "evaluate": "Score a verb model on commands from rooms it has not seen.",
+    "reproduce": "Run the paper's experiments, with tables beside its own.",
+    "serve": "Serve the app to browsers, one process a visitor.",
+    "bench": "Measure speed and memory of this installation.",
+    "sessions show": "Show what was said in a session, and what came of it.",
+    "sessions branch": "Make a session that begins as another did.",
+    "sessions export": "Export sessions in the formats of other tools.",
+    "sessions stats": "Figures: turns, questions and prices, times, words.",
+    "sessions scan": "Look for personal data.",
+    "sessions withdraw": "Delete a person's records.",
+    "sessions split": "Part sessions into train, validation and test.",
+    "sessions datasheet": "Write a datasheet, or bring its figures up to date.",
+    "sessions release": "Say whether sessions may go out.",
+    "sessions fit": "Fit a simulated user to sessions.",
+    "sessions evaluate-policy": "Estimate how another question policy would have done.",
+    "sessions example": "Make an example corpus, of made-up people.",
+    "scenes show": "Show a scene's objects, and how they are found.",
+    "scenes check": "Read every scene and say what does not fit.",
+    "lessons list": "List the lessons: scene, command, length.",
+    "study new": "Write a study to start from.",
+    "study check": "Check a study's file: every misfit with its line.",
+    "study status": "Say who is where, and how even the conditions are.",
+    "study answers": "Print a table with a row for each session of a study.",
+    "study tokens": "Write single-use tokens for `verbteach serve`.",
+    "benchmark check": "Read the corpus, run its actions, plan to its changes.",
+}
+"""What the list of a group says of a command whose first sentence is too long for a line there."""
+
 
 def build() -> typer.Typer:
     """The whole command line as a Typer application."""
     app = _group(NAME, "Teach a simulated household robot what verbs mean.")
     app.callback(invoke_without_command=True)(start)
     for name, command in COMMANDS.items():
-        app.command(name, epilog=epilog(f"{NAME} {name}"))(command)
+        app.command(name, epilog=epilog(f"{NAME} {name}"), short_help=SUMMARIES.get(name))(command)
     for name, (about, commands) in GROUPS.items():
         group = _group(f"{NAME} {name}", about)
         for inner, command in commands.items():
-            group.command(inner, epilog=epilog(f"{NAME} {name} {inner}"))(command)
+            path = f"{name} {inner}"
+            short = SUMMARIES.get(path)
+            group.command(inner, epilog=epilog(f"{NAME} {path}"), short_help=short)(command)
         app.add_typer(group, name=name)
     return app
 
