@@ -22,7 +22,7 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
     ),
     "verbteach serve": (
         "verbteach serve",
-        "verbteach serve --study my-study/study.toml --tokens tokens.txt --sessions records",
+        "verbteach serve --study my-study/study.toml --tokens tokens.txt --sessions my-study/records",
         "verbteach serve --host 0.0.0.0 --port 8080 --tokens tokens.txt",
     ),
     "verbteach study": ("verbteach study new my-study",),
@@ -31,8 +31,12 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
         "verbteach study check my-study/study.toml",
         "verbteach study check my-study/study.toml --json",
     ),
-    "verbteach study status": ("verbteach study status my-study/study.toml --sessions records",),
-    "verbteach study answers": ("verbteach study answers --sessions records --out answers.csv",),
+    "verbteach study status": (
+        "verbteach study status my-study/study.toml --sessions my-study/records",
+    ),
+    "verbteach study answers": (
+        "verbteach study answers --sessions my-study/records --out answers.csv",
+    ),
     "verbteach study tokens": ("verbteach study tokens tokens.txt --count 40",),
     "verbteach replay": (
         "verbteach replay my-sessions/20260101-120000-abcdefgh",
