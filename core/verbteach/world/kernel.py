@@ -43,11 +43,11 @@ FLUENTS, OPERATORS, ACTIONS, LINKS = 0, 1, 2, 3
 NEEDS, ACTOR, ACHIEVERS, ACTION_NEEDS, EFFECTS, EFFECT_NEEDS, ADDS, DELETES = range(4, 12)
 HEADER = 12
 
-# Rows of the scratch arrays; the first ones, marks, start at zero.
+# Columns of the scratch arrays; the first ones, marks, start at zero.
 WANTED, STACKED, ASKED, EASY, USERS, COST, BEST = range(7)
-PROPOSITION_MARKS, PROPOSITION_ROWS = 3, 7
+PROPOSITION_MARKS, PROPOSITION_COLUMNS = 3, 7
 ENTERED, COUNTED, FOLLOWED, TAKEN, UNMET, WAITING, SPENT, FEEDS, READY = range(9)
-OPERATOR_MARKS, OPERATOR_ROWS = 4, 9
+OPERATOR_MARKS, OPERATOR_COLUMNS = 4, 9
 ITEM, NEXT = 0, 1
 ROUND, DEPTH, EDGES = 0, 1, 2
 
@@ -56,7 +56,7 @@ class Scratch(NamedTuple):
     """Working memory of the estimate; a linked list's head is 0 where the list is empty.
 
     ``now`` counts rounds, what is on the stack, and edges in use; ``false`` is
-    1 for each proposition that is false in the state judged.
+    1 for each proposition that is false in the state judged, ``spelled``.
     """
 
     now: Ints
@@ -65,6 +65,7 @@ class Scratch(NamedTuple):
     edges: Ints
     stack: Ints
     false: Bytes
+    spelled: Words
 
 
 class Seen(NamedTuple):
@@ -128,28 +129,28 @@ def _span(t: Ints, table: int, number: int) -> tuple[int, int]:
 @_compiled
 def _unmet(t: Ints, s: Scratch, operator: int) -> int:
     """How many needs of the operator are false."""
-    if s.ops[COUNTED, operator] != s.now[ROUND]:
-        s.ops[COUNTED, operator] = s.now[ROUND]
+    if s.ops[operator, COUNTED] != s.now[ROUND]:
+        s.ops[operator, COUNTED] = s.now[ROUND]
         count = 0
         first, last = _span(t, NEEDS, operator)
         for i in range(first, last):
             count += s.false[t[i]]
-        s.ops[UNMET, operator] = count
-    return int(s.ops[UNMET, operator])
+        s.ops[operator, UNMET] = count
+    return int(s.ops[operator, UNMET])
 
 
 @_compiled
 def _is_easy(t: Ints, s: Scratch, proposition: int) -> bool:
     """Whether an operator that can be done now makes the proposition true."""
-    if s.props[ASKED, proposition] != s.now[ROUND]:
-        s.props[ASKED, proposition] = s.now[ROUND]
-        s.props[EASY, proposition] = 0
+    if s.props[proposition, ASKED] != s.now[ROUND]:
+        s.props[proposition, ASKED] = s.now[ROUND]
+        s.props[proposition, EASY] = 0
         first, last = _span(t, ACHIEVERS, proposition)
         for i in range(first, last):
             if _unmet(t, s, t[i]) == 0:
-                s.props[EASY, proposition] = 1
+                s.props[proposition, EASY] = 1
                 break
-    return bool(s.props[EASY, proposition] == 1)
+    return bool(s.props[proposition, EASY] == 1)
 
 
 @_compiled
@@ -173,7 +174,7 @@ def _most_unmet(t: Ints, s: Scratch, proposition: int) -> int:
         return most
     for number in range(most + 1):
         for i in range(first, last):
-            if s.ops[UNMET, t[i]] == number and _is_easy_operator(t, s, t[i]):
+            if s.ops[t[i], UNMET] == number and _is_easy_operator(t, s, t[i]):
                 return number
     return most
 
@@ -181,10 +182,10 @@ def _most_unmet(t: Ints, s: Scratch, proposition: int) -> int:
 @_compiled
 def _stack_need(s: Scratch, need: int) -> None:
     """Put a proposition on the stack of those to be made true, once."""
-    if s.props[STACKED, need] != s.now[ROUND]:
-        s.props[STACKED, need] = s.now[ROUND]
-        s.props[USERS, need] = 0
-        s.props[COST, need] = NEVER
+    if s.props[need, STACKED] != s.now[ROUND]:
+        s.props[need, STACKED] = s.now[ROUND]
+        s.props[need, USERS] = 0
+        s.props[need, COST] = NEVER
         s.stack[s.now[DEPTH]] = need
         s.now[DEPTH] += 1
 
@@ -194,27 +195,27 @@ def _link(s: Scratch, item: int, following: int) -> int:
     """Make an edge in front of another one; return its number."""
     s.now[EDGES] += 1
     edge = int(s.now[EDGES])
-    s.edges[ITEM, edge] = item
-    s.edges[NEXT, edge] = following
+    s.edges[edge, ITEM] = item
+    s.edges[edge, NEXT] = following
     return edge
 
 
 @_compiled
 def _enter(t: Ints, s: Scratch, operator: int, proposition: int) -> bool:
     """Want an operator for a proposition; return whether it is new and lacks nothing."""
-    new = s.ops[ENTERED, operator] != s.now[ROUND]
+    new = s.ops[operator, ENTERED] != s.now[ROUND]
     if new:
-        s.ops[ENTERED, operator] = s.now[ROUND]
-        s.ops[FEEDS, operator] = 0
-        s.ops[WAITING, operator] = _unmet(t, s, operator)
-        s.ops[SPENT, operator] = 1
+        s.ops[operator, ENTERED] = s.now[ROUND]
+        s.ops[operator, FEEDS] = 0
+        s.ops[operator, WAITING] = _unmet(t, s, operator)
+        s.ops[operator, SPENT] = 1
         first, last = _span(t, NEEDS, operator)
         for i in range(first, last):
             if s.false[t[i]]:
                 _stack_need(s, t[i])
-                s.props[USERS, t[i]] = _link(s, operator, s.props[USERS, t[i]])
-    s.ops[FEEDS, operator] = _link(s, proposition, s.ops[FEEDS, operator])
-    return bool(new and s.ops[WAITING, operator] == 0)
+                s.props[t[i], USERS] = _link(s, operator, s.props[t[i], USERS])
+    s.ops[operator, FEEDS] = _link(s, proposition, s.ops[operator, FEEDS])
+    return bool(new and s.ops[operator, WAITING] == 0)
 
 
 @_compiled
@@ -228,10 +229,10 @@ def _gather(t: Ints, s: Scratch) -> int:
         first, last = _span(t, ACHIEVERS, proposition)
         for i in range(first, last):
             operator = t[i]
-            if s.ops[UNMET, operator] > most:
+            if s.ops[operator, UNMET] > most:
                 continue
             if _enter(t, s, operator, proposition):
-                s.ops[READY, ready] = operator
+                s.ops[ready, READY] = operator
                 ready += 1
             if most == 0 and last - first > 1:
                 break
@@ -241,17 +242,17 @@ def _gather(t: Ints, s: Scratch) -> int:
 @_compiled
 def _offer(s: Scratch, heap: list[int], operator: int) -> None:
     """Offer an operator, all it waited for being settled, to what it is wanted for."""
-    price = s.ops[SPENT, operator]
-    edge = s.ops[FEEDS, operator]
+    price = s.ops[operator, SPENT]
+    edge = s.ops[operator, FEEDS]
     while edge:
-        proposition = s.edges[ITEM, edge]
-        edge = s.edges[NEXT, edge]
-        if price < s.props[COST, proposition]:
-            s.props[COST, proposition] = price
-            s.props[BEST, proposition] = operator
+        proposition = s.edges[edge, ITEM]
+        edge = s.edges[edge, NEXT]
+        if price < s.props[proposition, COST]:
+            s.props[proposition, COST] = price
+            s.props[proposition, BEST] = operator
             heappush(heap, (price << SHIFT) | proposition)
-        elif price == s.props[COST, proposition] and operator < s.props[BEST, proposition]:
-            s.props[BEST, proposition] = operator
+        elif price == s.props[proposition, COST] and operator < s.props[proposition, BEST]:
+            s.props[proposition, BEST] = operator
 
 
 @_compiled
@@ -260,21 +261,21 @@ def _settle(s: Scratch, ready: int, left: int) -> bool:
     heap = [NEVER]
     heap.pop()
     for i in range(ready):
-        _offer(s, heap, s.ops[READY, i])
+        _offer(s, heap, s.ops[i, READY])
     while heap and left:
         key = heappop(heap)
         price, proposition = key >> SHIFT, key & MASK
-        if price > s.props[COST, proposition]:
+        if price > s.props[proposition, COST]:
             continue
-        if s.props[WANTED, proposition] == s.now[ROUND]:
+        if s.props[proposition, WANTED] == s.now[ROUND]:
             left -= 1
-        edge = s.props[USERS, proposition]
+        edge = s.props[proposition, USERS]
         while edge:
-            operator = s.edges[ITEM, edge]
-            edge = s.edges[NEXT, edge]
-            s.ops[SPENT, operator] += price
-            s.ops[WAITING, operator] -= 1
-            if s.ops[WAITING, operator] == 0:
+            operator = s.edges[edge, ITEM]
+            edge = s.edges[edge, NEXT]
+            s.ops[operator, SPENT] += price
+            s.ops[operator, WAITING] -= 1
+            if s.ops[operator, WAITING] == 0:
                 _offer(s, heap, operator)
     return left == 0
 
@@ -286,15 +287,15 @@ def _follow(t: Ints, s: Scratch, depth: int, preferred: Ints) -> tuple[int, int]
     count = 0
     while depth:
         depth -= 1
-        operator = s.props[BEST, s.stack[depth]]
-        if s.ops[FOLLOWED, operator] == s.now[ROUND]:
+        operator = s.props[s.stack[depth], BEST]
+        if s.ops[operator, FOLLOWED] == s.now[ROUND]:
             continue
-        s.ops[FOLLOWED, operator] = s.now[ROUND]
+        s.ops[operator, FOLLOWED] = s.now[ROUND]
         action = t[_span(t, ACTOR, operator)[0]]
-        if s.ops[TAKEN, action] != s.now[ROUND]:
-            s.ops[TAKEN, action] = s.now[ROUND]
+        if s.ops[action, TAKEN] != s.now[ROUND]:
+            s.ops[action, TAKEN] = s.now[ROUND]
             distance += 1
-        if s.ops[UNMET, operator] == 0:
+        if s.ops[operator, UNMET] == 0:
             preferred[count] = action
             count += 1
         first, last = _span(t, NEEDS, operator)
@@ -314,7 +315,7 @@ def _estimate(t: Ints, s: Scratch, goal: Ints, preferred: Ints) -> tuple[int, in
     for proposition in goal:
         if s.false[proposition]:
             _stack_need(s, proposition)
-            s.props[WANTED, proposition] = s.now[ROUND]
+            s.props[proposition, WANTED] = s.now[ROUND]
     left = int(s.now[DEPTH])
     if left == 0:
         return 0, 0
@@ -332,22 +333,31 @@ def _estimate(t: Ints, s: Scratch, goal: Ints, preferred: Ints) -> tuple[int, in
 def scratch(t: Ints) -> Scratch:
     """Make working memory for one search at a time on this task; it can be used again."""
     fluents, links = t[FLUENTS], t[LINKS]
-    props = np.empty((PROPOSITION_ROWS, 2 * fluents), np.int64)
-    props[:PROPOSITION_MARKS] = 0
-    ops = np.empty((OPERATOR_ROWS, max(t[OPERATORS], t[ACTIONS])), np.int64)
-    ops[:OPERATOR_MARKS] = 0
-    edges = np.empty((2, links + 1), np.int64)
+    props = np.empty((2 * fluents, PROPOSITION_COLUMNS), np.int64)
+    props[:, :PROPOSITION_MARKS] = 0
+    ops = np.empty((max(t[OPERATORS], t[ACTIONS]), OPERATOR_COLUMNS), np.int64)
+    ops[:, :OPERATOR_MARKS] = 0
+    edges = np.empty((links + 1, 2), np.int64)
     stack = np.empty(2 * fluents + links, np.int64)
-    return Scratch(np.zeros(3, np.int64), props, ops, edges, stack, np.empty(2 * fluents, np.uint8))
+    false = np.zeros(2 * fluents, np.uint8)
+    false[:fluents] = 1
+    spelled = np.zeros(fluents // 64 + 1, np.uint64)
+    return Scratch(np.zeros(3, np.int64), props, ops, edges, stack, false, spelled)
 
 
 @_compiled
-def _spell(fluents: int, row: Words, false: Bytes) -> None:
-    """Spell a state out: 1 for every proposition that is false in it."""
-    for i in range(fluents):
-        bit = (row[i >> 6] >> np.uint64(i & 63)) & np.uint64(1)
-        false[i] = np.uint8(1) - np.uint8(bit)
-        false[fluents + i] = np.uint8(bit)
+def _spell(fluents: int, row: Words, s: Scratch) -> None:
+    """Spell a state out in ``false``, where it differs from the one spelled before."""
+    for word in range(len(row)):
+        changed = row[word] ^ s.spelled[word]
+        s.spelled[word] = row[word]
+        fluent = word << 6
+        while changed:
+            if changed & np.uint64(1):
+                s.false[fluent] ^= np.uint8(1)
+                s.false[fluents + fluent] ^= np.uint8(1)
+            changed >>= np.uint64(1)
+            fluent += 1
 
 
 @_compiled
@@ -518,7 +528,7 @@ def search(t: Ints, s: Scratch, start: Words, goal: Ints, limits: Ints) -> tuple
         seen = _with_room(seen, judged)
         seen.parents[judged], seen.via[judged] = parent, action
         seen.table[_place(seen.table, seen.rows, seen.rows[judged])] = judged
-        _spell(t[FLUENTS], seen.rows[judged], s.false)
+        _spell(t[FLUENTS], seen.rows[judged], s)
         distance, count = _estimate(t, s, goal, chosen)
         if distance == 0:
             return SOLVED, _path(seen.parents, seen.via, judged)
