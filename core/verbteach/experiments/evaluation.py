@@ -81,10 +81,14 @@ def run_trials(
     run: int = 0,
     mapper: Mapper = map,
     known: dict[str, Lesson] | None = None,
+    sight: Sight | None = None,
 ) -> list[Trial]:
-    """One run: the trials of all folds, by instance. ``known`` as in ``compare_criteria``."""
+    """One run: the trials of all folds, by instance.
+
+    ``known`` and ``sight`` as in ``compare_criteria``.
+    """
     criterion = setup.variant.criterion
-    return compare_criteria(grounds, setup, (criterion,), run, mapper, known)[criterion]
+    return compare_criteria(grounds, setup, (criterion,), run, mapper, known, sight)[criterion]
 
 
 def compare_criteria(
@@ -94,6 +98,7 @@ def compare_criteria(
     run: int = 0,
     mapper: Mapper = map,
     known: dict[str, Lesson] | None = None,
+    sight: Sight | None = None,
 ) -> dict[str, list[Trial]]:
     """One run of learners that learn alike and differ in how they choose: trials by criterion.
 
@@ -101,10 +106,11 @@ def compare_criteria(
     the price of one: demonstrations are learned from once, and candidate goals
     gathered once. ``known`` are the lessons of an earlier call with the same
     setup and run on the same instances, whatever its folds; what is learned
-    now is added.
+    now is added. ``sight`` is that of the setup's noise and seed, the run and
+    the instances, where somebody has looked through it before.
     """
     with without_collecting():
-        sight = Sight.of(setup.noise, grounds.instances, setup.seed, run)
+        sight = sight or Sight.of(setup.noise, grounds.instances, setup.seed, run)
         site = Site(setup, sight, grounds.parcels, grounds.planner)
         lessons = Parcel(_learned(grounds, site, mapper, {} if known is None else known))
         chosen = _criteria(grounds, site, lessons, criteria, mapper)

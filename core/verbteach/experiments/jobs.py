@@ -80,9 +80,7 @@ class Site:
     def only(self, instances: Sequence[Instance]) -> Site:
         """The same, with no more tasks and documents than these instances need."""
         tasks = {i.task_key: self.tasks[i.task_key] for i in instances}
-        groups = {i.group for i in instances}
-        elsewhere = {g: f for g, f in self.sight.elsewhere.items() if g in groups}
-        return replace(self, tasks=tasks, sight=replace(self.sight, elsewhere=elsewhere))
+        return replace(self, tasks=tasks, sight=self.sight.only({i.group for i in instances}))
 
 
 class Lesson(NamedTuple):

@@ -15,6 +15,7 @@ from verbteach.experiments.interactive_protocol import Config
 from verbteach.experiments.interactive_results import Checkpoint, Result, Taught, Tested
 from verbteach.experiments.jobs import Lesson, Setup, Trial
 from verbteach.experiments.she16 import VARIANTS
+from verbteach.experiments.sight import Sight
 from verbteach.perception.noise import NoiseModel
 from verbteach.verbs.instance import Instance
 
@@ -35,9 +36,9 @@ class _Cut(Grounds):
 
 
 def demonstration_only(
-    instances: Sequence[Instance], grounds: Grounds, config: Config, setup: Setup
+    instances: Sequence[Instance], grounds: Grounds, config: Config, setup: Setup, sight: Sight
 ) -> Result:
-    """Carry out one configuration with the learner of ``setup``.
+    """Carry out one configuration with the learner of ``setup``, which sees through ``sight``.
 
     ``grounds`` has the tasks and the planner; its folds are not used.
     """
@@ -48,7 +49,7 @@ def demonstration_only(
         lessons = split.lessons(share)
         folds = tuple(_folds(instances, lessons, config))
         cut = _Cut(folds, grounds.tasks, grounds.planner, tuple(instances))
-        trials = run_trials(cut, setup, config.run, known=known)
+        trials = run_trials(cut, setup, config.run, known=known, sight=sight)
         return len(lessons), tuple(_tested(one, config) for one in trials)
 
     lessons, rows = tested(config.verb_share)
