@@ -96,8 +96,15 @@ class Analogies:
         """Bind the ``most`` examples whose commands are most alike, ties in the memory's order."""
         scores = (self._table(memory) @ kernel.of_words)[memory.command_of]
         chosen = np.argsort(-scores, kind="stable")[:most].tolist()
-        found = [(float(scores[i]), self._transfer(memory.examples[i])) for i in chosen]
-        return _joined([pair for pair in found if pair[1] is not NO_TRANSFER])
+        known, patterns = self._transfers, memory.patterns
+        found = []
+        for i, score in zip(chosen, scores[chosen].tolist(), strict=True):
+            transfer = known.get(patterns[i])
+            if transfer is None:
+                transfer = known[patterns[i]] = self._bound(memory.examples[i])
+            if transfer is not NO_TRANSFER:
+                found.append((score, transfer))
+        return _joined(found)
 
     def nearness(self, memory: Memory) -> float:
         """How alike the noun phrases of the command and the nearest example are (Table 3)."""
@@ -127,12 +134,6 @@ class Analogies:
         if number == len(self.literals):
             self.literals.append(literal)
         return number
-
-    def _transfer(self, example: Example) -> Transfer:
-        transfer = self._transfers.get(example.pattern)
-        if transfer is None:
-            transfer = self._transfers[example.pattern] = self._bound(example)
-        return transfer
 
     def _bound(self, example: Example) -> Transfer:
         shown, known = example.demonstration, self.surroundings.affordances

@@ -15,27 +15,22 @@ from verbteach.verbs.resemblance import Said
 from verbteach.verbs.space import Demonstration
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Pattern:
-    """What of an example decides how it is bound elsewhere; its hash is computed once."""
+    """What of an example decides how it is bound elsewhere; alike only to itself: see ``_one``."""
 
     change: Lifted
     binding: Binding
     phrases: tuple[str, ...]
     grounding: tuple[str, ...]
 
-    @cached_property
-    def _hash(self) -> int:
-        return hash((self.change, self.binding, self.phrases, self.grounding))
-
-    def __hash__(self) -> int:
-        return self._hash
-
 
 @lru_cache(maxsize=1 << 16)
-def _one(pattern: Pattern) -> Pattern:
-    """The same object for equal patterns: tables by pattern then find them without comparing."""
-    return pattern
+def _one(
+    change: Lifted, binding: Binding, phrases: tuple[str, ...], grounding: tuple[str, ...]
+) -> Pattern:
+    """The same pattern for the same things: tables by pattern find it without comparing."""
+    return Pattern(change, binding, phrases, grounding)
 
 
 @dataclass(frozen=True)
@@ -55,7 +50,7 @@ class Example:
     def pattern(self) -> Pattern:
         """How it is bound."""
         shown = self.demonstration
-        return _one(Pattern(self.change, self.binding, shown.phrases, shown.grounding))
+        return _one(self.change, self.binding, shown.phrases, shown.grounding)
 
 
 @dataclass(frozen=True)
@@ -76,6 +71,11 @@ class Memory:
     def keeping(cls, examples: Iterable[Example]) -> Memory:
         """Keep examples by id, whatever order they come in."""
         return cls(tuple(sorted(examples, key=lambda e: (e.demonstration, e.change, e.binding))))
+
+    @cached_property
+    def patterns(self) -> tuple[Pattern, ...]:
+        """How each example is bound."""
+        return tuple(example.pattern for example in self.examples)
 
     @cached_property
     def commands(self) -> tuple[Said, ...]:

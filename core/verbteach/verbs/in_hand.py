@@ -71,14 +71,10 @@ def handed(
         for column, released in _let_go(literals, held):
             source = np.flatnonzero(bound[:, column] & ~about)
             moved = _instead(literals, released, thing, possible, index)
-            row = np.zeros((len(source), len(index)), dtype=bool)
-            for old, new in enumerate(moved):
-                if new is not None:
-                    row[:, new] |= bound[source, old]
-            lost = bound[source][:, [new is None for new in moved]].sum(1)
+            row, share = _renamed(bound[source], moved, len(index))
             rows.append(row)
             sources.append(source)
-            shares.append(1.0 - lost / np.maximum(1, bound[source].sum(1)))
+            shares.append(share)
     wider = np.zeros((len(bound) + sum(map(len, rows)), len(index)), dtype=bool)
     first = 0
     for part in (bound, *rows):
@@ -103,19 +99,31 @@ def _let_go(literals: Sequence[Literal], held: Sequence[str]) -> list[tuple[int,
     ]
 
 
+def _renamed(
+    rows: Bools, moved: Mapping[int, int | None], width: int
+) -> tuple[Bools, NDArray[np.float64]]:
+    """Rows with some columns moved to others or left out, and the share of each that is left."""
+    wider = np.zeros((len(rows), width), dtype=bool)
+    wider[:, : rows.shape[1]] = rows
+    wider[:, list(moved)] = False
+    for old, new in moved.items():
+        if new is not None:
+            wider[:, new] |= rows[:, old]
+    lost = rows[:, [old for old, new in moved.items() if new is None]].sum(1)
+    return wider, 1.0 - lost / np.maximum(1, rows.sum(1))
+
+
 def _instead(
     literals: Sequence[Literal],
     released: str,
     thing: str,
     possible: Callable[[Literal], bool],
     index: dict[Literal, int],
-) -> list[int | None]:
-    """Each literal's column once the held thing stands in it; None where it cannot be."""
-    moved: list[int | None] = []
-    for literal in literals:
-        if released not in literal.fluent.args:
-            moved.append(index[literal])
-            continue
-        (other,) = rename((literal,), {released: thing})
-        moved.append(index.setdefault(other, len(index)) if possible(other) else None)
+) -> dict[int, int | None]:
+    """Where literals are once the held thing stands in them, by column; None where none can be."""
+    moved: dict[int, int | None] = {}
+    for column, literal in enumerate(literals):
+        if released in literal.fluent.args:
+            (other,) = rename((literal,), {released: thing})
+            moved[column] = index.setdefault(other, len(index)) if possible(other) else None
     return moved

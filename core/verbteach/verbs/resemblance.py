@@ -8,7 +8,7 @@ did when told to "turn on" a thing says a little about "set" as well.
 from __future__ import annotations
 
 from dataclasses import astuple, dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from itertools import count
 from typing import NamedTuple
 
@@ -58,12 +58,12 @@ class Kernel:
     open: float = 1.5
     hand: float = 0.0
 
-    @property
+    @cached_property
     def of_words(self) -> NDArray[np.float64]:
         """Weights for ``likeness``, in its order."""
         return np.array(astuple(self)[:4])
 
-    @property
+    @cached_property
     def of_bindings(self) -> NDArray[np.float64]:
         """Weights of ``objects``, ``kinds``, ``possible``, ``open`` and ``hand``."""
         return np.array(astuple(self)[4:])
