@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -63,12 +64,18 @@ def _kept(function: Callable[[Task], Row], task: Task) -> Row:
     """Do a task in a process that is kept for the next.
 
     Where psutil is installed, loky takes a process that remembers what it has
-    read and planned for one that leaks, and begins it anew.
+    read and planned for one that leaks, and begins it anew. What it remembers
+    is kept for good, so that nobody need look for rings of garbage in it.
     """
     from joblib.externals.loky import process_executor
 
     process_executor._USE_PSUTIL = False
-    return function(task)
+    gc.disable()
+    try:
+        return function(task)
+    finally:
+        gc.freeze()
+        gc.enable()
 
 
 @contextmanager

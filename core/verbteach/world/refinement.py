@@ -91,19 +91,21 @@ def _chained(plan: list[GroundAction], links: list[tuple[int, int]]) -> list[Gro
     depth: list[int] = []
     for serving in makers:
         depth.append(1 + max((depth[maker] for maker in serving), default=0))
-    order: list[int] = []
-
-    def visit(step: int) -> None:
-        if step not in order:
-            for maker in sorted(makers[step], key=lambda m: (-depth[m], m)):
-                visit(maker)
-            order.append(step)
-
+    by_depth = [sorted(serving, key=lambda m: (-depth[m], m)) for serving in makers]
     serving_others = {maker for maker, _ in links}
+    order: list[int] = []
     for step in range(len(plan)):
         if step not in serving_others:
-            visit(step)
+            _visit(step, by_depth, order)
     return [plan[step] for step in order]
+
+
+def _visit(step: int, makers: Sequence[Sequence[int]], order: list[int]) -> None:
+    """Add the step to the order after all that serve it."""
+    if step not in order:
+        for maker in makers[step]:
+            _visit(maker, makers, order)
+        order.append(step)
 
 
 def _links(bits: int, plan: Sequence[GroundAction]) -> list[tuple[int, int]]:

@@ -17,6 +17,9 @@ from verbteach.world.grounding import Grounder, SymbolicAction, SymbolicEffect
 from verbteach.world.plan import Action
 from verbteach.world.scene import Scene
 
+_REMEMBERED = 8
+"""So many states' bits."""
+
 
 class ConditionalEffect(NamedTuple):
     """Bits set and cleared where all of ``needs_true`` and none of ``needs_false`` were set."""
@@ -54,6 +57,8 @@ class GroundAction:
 
     def result(self, bits: int) -> int:
         """Return the encoded state afterwards, taking the preconditions for granted."""
+        if not self.conditional:
+            return (bits & ~self.delete) | self.add
         add, delete = self.changes(bits)
         return (bits & ~delete) | add
 
@@ -74,7 +79,7 @@ class Task:
     actions: tuple[GroundAction, ...] = field(init=False)
     bit: Mapping[Fluent, int] = field(init=False, repr=False)
     _by_name: Mapping[Action, GroundAction] = field(init=False, repr=False)
-    _last: tuple[State, int] = field(init=False, repr=False)
+    _known: dict[State, int] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         objects = {**self.domain.constants, **self.objects}
@@ -91,7 +96,7 @@ class Task:
             "bit": bit,
             "actions": actions,
             "_by_name": {ground.action: ground for ground in actions},
-            "_last": (frozenset(), 0),
+            "_known": {},
         }
         for name, value in settled.items():
             object.__setattr__(self, name, value)
@@ -105,12 +110,13 @@ class Task:
     def encode(self, state: State) -> int:
         """Return the state's bits; fluents that no action touches are left out.
 
-        Those of the last state are remembered: it is asked about again and again.
+        Those of the last few states are remembered: they are asked about again and again.
         """
-        known, bits = self._last
-        if known is not state:
-            bits = self._bits(state)
-            object.__setattr__(self, "_last", (state, bits))
+        bits = self._known.get(state)
+        if bits is None:
+            if len(self._known) >= _REMEMBERED:
+                self._known.clear()
+            bits = self._known[state] = self._bits(state)
         return bits
 
     def _bits(self, state: State) -> int:
