@@ -22,7 +22,8 @@ EXAMPLES: Mapping[str, tuple[str, ...]] = {
     ),
     "verbteach serve": (
         "verbteach serve",
-        "verbteach serve --study my-study/study.toml --tokens tokens.txt --sessions my-study/records",
+        "verbteach serve --study my-study/study.toml --tokens tokens.txt"
+        " --sessions my-study/records",
         "verbteach serve --host 0.0.0.0 --port 8080 --tokens tokens.txt",
     ),
     "verbteach study": ("verbteach study new my-study",),
