@@ -120,6 +120,7 @@ def test_several_steps_in_a_line_are_taken_apart() -> None:
         "go to the kettle", "take it", "walk to the left burner",
     ]  # fmt: skip
     assert reader().parts("go to the salt and pepper") == ("go to the salt and pepper",)
+    assert len(reader().parts("go to the kettle and put it down there")) == 2
 
 
 @pytest.mark.parametrize("scene", ["kitchen-1", "living-room-1"])

@@ -84,10 +84,16 @@ class StepReader:
         return self._chosen(fits) if fits else self._misfit(ways)
 
     def parts(self, text: str) -> tuple[str, ...]:
-        """The steps that ``text`` says one after the other: itself, where it is one."""
+        """The steps that ``text`` says one after the other: itself, where it is one.
+
+        Each begins with the verb of a step; whether it can be read is seen when it comes.
+        """
         parts = tuple(part for part in _BETWEEN.split(text.lower()) if step_words(part))
-        several = len(parts) > 1 and all(ways_in(step_words(p), self._patterns) for p in parts)
+        several = len(parts) > 1 and all(self._is_step(step_words(part)) for part in parts)
         return parts if several else (text,)
+
+    def _is_step(self, words: Words) -> bool:
+        return bool(ways_in(words, self._patterns)) or bool(self._beginning(words[0], 1))
 
     def _narrowed(self, words: Words, before: str) -> Iterator[_Fit]:
         """What ``before`` could have been, where it is about what ``words`` name."""
