@@ -10,6 +10,7 @@ import pytest
 from tests.experiments.interactive_room import bench
 from verbteach.dialogue.execution_inquiry import ExecutionInquiry
 from verbteach.experiments.carrying_out import COMPARED, carry_out, chosen_plan
+from verbteach.experiments.interactive_bench import IN_ONE_PLACE
 from verbteach.experiments.interactive_protocol import Config, run
 from verbteach.experiments.simulated_human import SimulatedHuman
 from verbteach.experiments.workroom import Workroom
@@ -60,3 +61,11 @@ def test_only_eyes_that_see_phantoms_make_the_robot_careful() -> None:
     assert {one.parameters.caution for one, _ in met(noise="std5")} == {0.0}
     careful = met(noise="std5", reading="phantom")
     assert {one.parameters.caution for one, _ in careful} == {bench().parameters.caution}
+
+
+def test_only_eyes_that_see_phantoms_weigh_where_a_thing_is() -> None:
+    assert {one.belief.exclusive for one, _ in met(noise="std5")} == {()}
+    for inquiry, _ in met(noise="std5", reading="phantom"):
+        where = [IN_ONE_PLACE.group(fluent) for fluent in inquiry.belief.believed()]
+        things = [thing for thing in where if thing is not None]
+        assert len(things) == len(set(things))

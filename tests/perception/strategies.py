@@ -9,7 +9,8 @@ from verbteach.world.fluents import Fluent, State
 
 things = st.sampled_from(["Cup_1", "Cup_2", "Tray_1", "Sink"])
 fluents = st.builds(Fluent, st.sampled_from(["on", "in", "near"]), st.tuples(things, things))
-PLACE = Exclusivity(("on", "in"), 0)
+PLACE = Exclusivity((("on", 0), ("in", 0)))
+WHERE = PLACE._replace(joint=True)
 
 
 def states() -> st.SearchStrategy[State]:

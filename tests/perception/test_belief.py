@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.perception.strategies import PLACE, beliefs, fluents, states
+from tests.perception.strategies import PLACE, WHERE, beliefs, fluents, states
 from verbteach.perception.belief import Belief, change_probability, entropy
 from verbteach.world.fluents import Fluent, State
 
@@ -74,6 +74,41 @@ def test_a_believed_state_has_each_thing_in_one_place(belief: Belief) -> None:
     for beaten in above - believed:
         assert any(belief[rival] >= belief[beaten] for rival in belief.rivals(beaten))
     assert {f for f in above if f.predicate == "near"} <= believed
+
+
+@given(beliefs((WHERE,)))
+def test_rivals_share_one_probability_and_none_grows(belief: Belief) -> None:
+    weighed = belief.weighed()
+    assert all(weighed[f] <= c for f, c in belief.items())
+    for fluent, confidence in belief.items():
+        rivals = belief.rivals(fluent)
+        if WHERE.group(fluent) is None or not rivals:
+            assert weighed[fluent] == confidence
+        else:
+            assert weighed[fluent] + sum(weighed[r] for r in rivals) <= 1.0 + 1e-9
+            order = sorted((fluent, *rivals), key=lambda f: belief[f])
+            assert order == sorted(order, key=lambda f: weighed[f])
+
+
+@given(beliefs((WHERE,)))
+def test_a_no_leaves_joint_rivals_as_if_it_had_never_been_seen(belief: Belief) -> None:
+    for fluent, confidence in belief.items():
+        if WHERE.group(fluent) is None or confidence > 0.999:
+            continue
+        others = Belief.of({f: c for f, c in belief.items() if f != fluent}, (WHERE,)).weighed()
+        after = belief.weighed().answered(fluent, False)
+        assert after[fluent] == 0.0
+        for rival in belief.rivals(fluent):
+            assert after[rival] == pytest.approx(others[rival], abs=1e-5)
+
+
+def test_two_places_that_look_alike_are_doubted_where_the_robot_weighs_them() -> None:
+    seen = {ON: 0.7, IN: 0.8, NEAR: 0.9}
+    weighed = Belief.of(seen, (WHERE,)).weighed()
+    assert weighed[IN] == pytest.approx(4.0 / (1.0 + 4.0 + 0.7 / 0.3))
+    assert weighed.believed() == {IN, NEAR}
+    assert Belief.of({ON: 1.0, IN: 1.0}, (WHERE,)).weighed().believed() == frozenset()
+    assert Belief.of(seen, (PLACE,)).weighed() == Belief.of(seen, (PLACE,))
 
 
 def test_the_likelier_place_wins() -> None:

@@ -14,7 +14,7 @@ from verbteach.perception.belief import Exclusivity
 from verbteach.verbs.pool import PLACES
 from verbteach.world.fluents import Goal, Literal
 
-PLACED = Exclusivity(("In", "On", "in", "on"))
+PLACED = Exclusivity((("In", 0), ("On", 0), ("in", 0), ("on", 0)))
 """A thing is in one other, or on one; it may be beside a third at the same time."""
 
 

@@ -20,16 +20,22 @@ from verbteach.experiments.groundings import Grounder
 from verbteach.experiments.sight import Sight
 from verbteach.experiments.simulated_human import HumanParameters, SimulatedHuman
 from verbteach.experiments.workroom import Workroom, Workrooms
-from verbteach.perception.belief import Belief
+from verbteach.perception.belief import Belief, Exclusivity
 from verbteach.perception.noise import NoiseModel
 from verbteach.verbs.analogy import Analogies
 from verbteach.verbs.examples import Memory
 from verbteach.verbs.instance import Instance
-from verbteach.verbs.pool import PoolParameters, PoolSource
+from verbteach.verbs.pool import PLACES, PoolParameters, PoolSource
 from verbteach.verbs.resemblance import Said
 from verbteach.verbs.seen_change import seen_change
 from verbteach.world.plan import Action
 from verbteach.world.reliance import Foresight, foresight
+
+IN_ONE_PLACE = Exclusivity(
+    tuple((predicate, argument) for predicate, argument in PLACES.items() if predicate != "beside"),
+    joint=True,
+)
+"""A thing is on or in one other, or in a hand; it may be beside a third at the same time."""
 
 Joint: TypeAlias = tuple[tuple[str, ...], ...]
 """Joint groundings: an object for each noun phrase."""
@@ -89,7 +95,8 @@ class Bench:
         """
         looks = self._looks
         if looks is None or not looks.sight.is_draw(noise, seed, run):
-            looks = self._looks = _Looks(Sight.of(noise, self.instances, seed, run))
+            rules = (IN_ONE_PLACE,) if noise.phantoms else ()
+            looks = self._looks = _Looks(Sight.of(noise, self.instances, seed, run, rules))
         return looks.sight
 
     def room(self, instance: Instance) -> Workroom:

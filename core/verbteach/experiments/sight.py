@@ -38,7 +38,8 @@ class Sight:
 
     ``elsewhere`` are, by document, the fluents that are true somewhere in it:
     with what an action could make true at once they are what phantoms may be.
-    What was seen of an instance is remembered, and does not travel with it.
+    ``exclusive`` says what cannot be true at once. What was seen of an instance
+    is remembered, and does not travel with it.
     """
 
     noise: NoiseModel = field(default_factory=NoiseModel)
@@ -57,14 +58,19 @@ class Sight:
 
     @classmethod
     def of(
-        cls, noise: NoiseModel, instances: Iterable[Instance], seed: int = 0, run: int = 0
+        cls,
+        noise: NoiseModel,
+        instances: Iterable[Instance],
+        seed: int = 0,
+        run: int = 0,
+        exclusive: tuple[Exclusivity, ...] = (),
     ) -> Sight:
         """Gather what is true elsewhere in each document from the instances' states."""
         found: dict[str, set[Fluent]] = defaultdict(set)
         for instance in instances if noise.phantoms else ():
             found[instance.group] |= instance.start | instance.end
         frozen = {group: frozenset(fluents) for group, fluents in found.items()}
-        return cls(noise, seed, run, frozen)
+        return cls(noise, seed, run, frozen, exclusive)
 
     def only(self, groups: Container[str]) -> Sight:
         """The same for the documents of ``groups``; what is seen here is remembered there."""
@@ -92,12 +98,14 @@ class Sight:
         states = (instance.start, instance.end)
         possible = self._possible(instance, room, *states)
         rng = stream(self.seed, self.run, instance.id, "demonstration")
-        return Seen(*perceive_both(states, possible, self._noise(room), rng, self.exclusive))
+        before, after = perceive_both(states, possible, self._noise(room), rng, self.exclusive)
+        return Seen(before.weighed(), after.weighed())
 
     def _look(self, instance: Instance, room: Workroom) -> Belief:
         possible = self._possible(instance, room, instance.start)
         rng = stream(self.seed, self.run, instance.id, "command")
-        return perceive(instance.start, possible, self._noise(room), rng, self.exclusive)
+        seen = perceive(instance.start, possible, self._noise(room), rng, self.exclusive)
+        return seen.weighed()
 
     def _noise(self, room: Workroom) -> NoiseModel:
         """What things afford is known: it is not sensed."""

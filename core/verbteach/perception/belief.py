@@ -15,22 +15,33 @@ from typing import Any, NamedTuple
 from verbteach.world.fluents import Fluent, State
 
 BELIEVED = 0.5
+_SURE = 1.0 - 1e-9
+"""Full confidence, as evidence: two things seen so may still exclude each other."""
 
 
 class Exclusivity(NamedTuple):
-    """At most one fluent of ``predicates`` is true for one value of argument ``position``.
+    """At most one fluent about the same thing is true.
 
-    ``Exclusivity(("on", "in"), 0)``: a thing is in one place.
+    ``arguments`` names the predicates, each with the number of the argument
+    that is the thing: ``(("on", 0), ("in", 0))`` for a thing that is in one
+    place. ``joint``: the fluents' confidences are weighed against each other
+    (see ``Belief.weighed``), otherwise the likeliest stands.
     """
 
-    predicates: tuple[str, ...]
-    position: int = 0
+    arguments: tuple[tuple[str, int], ...]
+    joint: bool = False
+
+    @property
+    def predicates(self) -> tuple[str, ...]:
+        """Whose fluents exclude each other."""
+        return tuple(predicate for predicate, _ in self.arguments)
 
     def group(self, fluent: Fluent) -> str | None:
         """What the fluent is in competition about; None if the rule is not about it."""
-        if fluent.predicate not in self.predicates or len(fluent.args) <= self.position:
-            return None
-        return fluent.args[self.position]
+        for predicate, position in self.arguments:
+            if predicate == fluent.predicate and position < len(fluent.args):
+                return fluent.args[position]
+        return None
 
 
 @dataclass(frozen=True)
@@ -90,6 +101,7 @@ class Belief:
     def answered(self, fluent: Fluent, truth: bool, trust: float = 1.0) -> Belief:
         """The belief after a yes (the fluent at 1, its rivals at 0) or a no (at 0).
 
+        Rivals that share one probability have the more of it after a no.
         An answer that is right only with the probability ``trust`` moves the
         fluent's confidence by Bayes' rule and leaves its rivals alone.
         """
@@ -99,6 +111,8 @@ class Belief:
             return Belief.of(changed, self.exclusive)
         if truth:
             changed.update(dict.fromkeys(self.rivals(fluent), 0.0))
+        else:
+            changed.update(self._relieved(fluent))
         changed[fluent] = float(truth)
         return Belief.of(changed, self.exclusive)
 
@@ -109,6 +123,36 @@ class Belief:
             for other, _ in self.items()
             if other != fluent and any(_compete(rule, fluent, other) for rule in self.exclusive)
         )
+
+    def weighed(self) -> Belief:
+        """Each fluent's probability, given that of joint rivals at most one is true.
+
+        Confidences are taken for independent evidence (Bayes' rule over which of
+        them is true, or none). None grows, so nothing comes to be believed by this.
+        """
+        if not any(rule.joint for rule in self.exclusive):
+            return self
+        changed = dict(self.confidences)
+        for rule in self.exclusive:
+            for group in self._joint_groups(rule):
+                changed.update(_shared({fluent: changed[fluent] for fluent in group}))
+        return Belief.of(changed, self.exclusive)
+
+    def _joint_groups(self, rule: Exclusivity) -> list[list[Fluent]]:
+        """The fluents of each competition of two or more under a joint rule."""
+        groups: dict[str, list[Fluent]] = {}
+        for fluent, _ in self.items() if rule.joint else ():
+            thing = rule.group(fluent)
+            if thing is not None:
+                groups.setdefault(thing, []).append(fluent)
+        return [group for group in groups.values() if len(group) > 1]
+
+    def _relieved(self, fluent: Fluent) -> dict[Fluent, float]:
+        """What joint rivals come to when a fluent turns out false."""
+        left = 1.0 - self[fluent]
+        joint = tuple(rule for rule in self.exclusive if rule.joint)
+        rivals = [o for o in self.rivals(fluent) if any(_compete(r, fluent, o) for r in joint)]
+        return {rival: min(1.0, self[rival] / left) for rival in rivals} if left > 0.0 else {}
 
     def entropy_of(self, fluent: Fluent) -> float:
         """The uncertainty about one fluent, in bits: 1 at one half, 0 when settled."""
@@ -174,6 +218,13 @@ def change_probability(before: Belief, after: Belief, fluent: Fluent) -> float:
     """The probability that a fluent differs between two states seen independently."""
     start, end = before[fluent], after[fluent]
     return end * (1.0 - start) + start * (1.0 - end)
+
+
+def _shared(confidences: Mapping[Fluent, float]) -> dict[Fluent, float]:
+    """The probability of each of several fluents of which at most one is true."""
+    odds = {f: min(c, _SURE) / (1.0 - min(c, _SURE)) for f, c in confidences.items()}
+    total = 1.0 + math.fsum(odds.values())
+    return {f: min(confidences[f], o / total) for f, o in odds.items()}
 
 
 def _compete(rule: Exclusivity, one: Fluent, other: Fluent) -> bool:
