@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.dialogue.stage import robot
-from verbteach.dialogue.draft import Draft, Mind
+from verbteach.dialogue.draft import Draft, Mind, generator
 
 
 def draft() -> Draft:
@@ -48,3 +49,9 @@ def test_counting_adds_to_the_totals_alone() -> None:
     made.count(questions=1)
     assert made.state.totals == replace(made.state.totals, questions=3, reward=-1.5)
     assert made.state.totals.episodes == 0
+
+
+@given(st.lists(st.integers(min_value=0, max_value=2**63 - 1), min_size=1, max_size=6))
+def test_a_generator_draws_as_that_of_the_list_of_its_numbers(numbers: list[int]) -> None:
+    expected = np.random.default_rng(numbers).random(3).tolist()
+    assert generator(*numbers).random(3).tolist() == expected

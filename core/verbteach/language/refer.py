@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
+from functools import lru_cache
 from typing import TypeAlias
 
 from verbteach.language.frames import NounPhrase
@@ -117,6 +118,14 @@ def refer(
     thing and for what is in it means the thing unless the role asks for contents;
     with "some" before it the other sense stays in play.
     """
+    return _referred(phrase, looks, tuple(spoken), role, tuple(listed))
+
+
+@lru_cache(maxsize=128)
+def _referred(
+    phrase: NounPhrase, looks: Looks, spoken: tuple[str, ...], role: str, listed: tuple[str, ...]
+) -> Candidates:
+    """See ``refer``: in one turn the same phrase is looked up several times."""
     if phrase.head in _POINTERS | _PLURAL_POINTERS and not phrase.modifiers:
         latest = spoken if phrase.head in _PLURAL_POINTERS else spoken[-1:]
         return tuple(
