@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from tests.dialogue.stage import robot, shown, taught_to_boil, tell
@@ -9,7 +11,7 @@ from verbteach.dialogue import acts
 from verbteach.dialogue.moves import Phase
 from verbteach.dialogue.robot import Robot
 from verbteach.dialogue.turn import RobotTurn
-from verbteach.world.fluents import Fluent
+from verbteach.world.fluents import Fluent, Literal
 
 
 def asked(listener: Robot, *said: str) -> RobotTurn:
@@ -122,6 +124,22 @@ def test_a_correction_names_a_thing_that_the_robot_chose_itself(
         assert "You said" in listener.explain()[0]
         tell(listener, acts.Good())
         assert listener.turn.phase is Phase.COMMAND
+
+
+def test_a_correction_turns_what_should_have_left_a_place_round() -> None:
+    """The kettle stands on the back burner, so that a goal may say that it should not any more."""
+    listener = taught_to_boil()
+    tell(listener, acts.GoToScene("kitchen-3"), acts.Command("boil the water"))
+    episode = listener.state.episode
+    assert episode is not None
+    assert episode.execution is not None
+    gone = Literal(Fluent("on", ("Kettle_1", "Burner_2")), positive=False)
+    execution = replace(episode.execution, goal=episode.execution.goal | {gone})
+    listener.state = replace(listener.state, episode=replace(episode, execution=execution))
+    waiting = tell(listener, acts.Say("no, the back burner")).waiting_act
+    assert isinstance(waiting, acts.SelectHypo)
+    assert Literal(Fluent("on", ("Kettle_1", "Burner_1")), positive=False) in waiting.goal
+    assert Fluent("on", ("Kettle_1", "Burner_2")) in listener.state.world
 
 
 def test_words_that_correct_nothing_are_asked_about_again() -> None:

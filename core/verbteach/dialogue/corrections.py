@@ -66,7 +66,8 @@ def _exchanges(draft: Draft, goal: Goal, told: NounPhrase, wrong: str) -> Iterat
     """Every way in which the words may correct the goal."""
     looks = looks_now(draft)
     named = set(draft.episode.best_objects)
-    chosen = sorted({thing for one in goal for thing in one.fluent.args} & set(looks.objects))
+    held = {thing for one in goal if one.positive for thing in one.fluent.args}
+    chosen = sorted(held & set(looks.objects))
     called = _called(draft, wrong, looks)
     for was in (thing for thing in chosen if thing not in named):
         if called and was not in called:
@@ -77,7 +78,7 @@ def _exchanges(draft: Draft, goal: Goal, told: NounPhrase, wrong: str) -> Iterat
         else:
             meant = [thing for thing, _ in refer(told, looks, [was]) if thing in kin]
         for now in meant:
-            yield Exchanged(was, now, _renamed(goal, was, now))
+            yield Exchanged(was, now, _exchanged(goal, was, now))
 
 
 def _is_the_other(told: NounPhrase) -> bool:
@@ -101,12 +102,11 @@ def _told(draft: Draft, words: str) -> NounPhrase | None:
     return read_noun_phrase(draft, f"{words} one" if last in (["other"], ["another"]) else words)
 
 
-def _renamed(goal: Goal, was: str, now: str) -> Goal:
+def _exchanged(goal: Goal, was: str, now: str) -> Goal:
+    """Each for the other: what should no longer be at ``now`` should then not be at ``was``."""
+    other = {was: now, now: was}
     return frozenset(
-        Literal(
-            Fluent(fluent.predicate, tuple(now if one == was else one for one in fluent.args)),
-            positive,
-        )
+        Literal(Fluent(fluent.predicate, tuple(other.get(a, a) for a in fluent.args)), positive)
         for fluent, positive in goal
     )
 
