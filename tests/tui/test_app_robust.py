@@ -106,7 +106,7 @@ async def test_a_word_typed_where_keys_answer_is_one_answer_at_most(tmp_path: Pa
         assert here.phase == "read_back"
         before = len(here.teach.snapshot.lines)
         here.teach.guard = KeyGuard()
-        await here.pilot.press(*"never")  # n says wrong, r repeat; e and v say nothing
+        await here.pilot.press(*"nope")  # n says wrong, and the rest no more than that
         await here.settle()
         said = [line for line in here.teach.snapshot.lines[before:] if line.speaker == "teacher"]
         assert [line.text for line in said] == ["bad"]

@@ -11,9 +11,6 @@ DEBOUNCE = 0.3
 SWALLOW = 0.6
 """Seconds after any letter in which a further one counts as typing and is swallowed."""
 
-RECENT = 3.0
-"""Seconds for which an answer is told to be what a word began with."""
-
 
 class KeyGuard:
     """Decides, key by key, which count; times are in seconds of any steady clock."""
@@ -47,10 +44,6 @@ class KeyGuard:
     def ends(self, now: float) -> bool:
         """Whether Enter ``now`` is meant for what was typed or answered just before."""
         return now - max(self._typed, self._answered) < self._swallow
-
-    def answered(self, now: float) -> bool:
-        """Whether the word being typed began with an answer, not long ago."""
-        return now - self._answered < RECENT
 
     def answers(self, now: float) -> bool:
         """Whether an answer given ``now`` counts, and is not the last one's key repeating."""

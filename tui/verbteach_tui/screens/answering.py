@@ -7,7 +7,7 @@ from textual.widgets import Input
 
 from verbteach.dialogue import acts
 from verbteach.dialogue.moves import Phase
-from verbteach_sessions.script import parse_line, render
+from verbteach_sessions.script import ScriptAct, parse_line, render
 from verbteach_sessions.session_acts import Note
 from verbteach_tui.keyguard import KeyGuard
 from verbteach_tui.keys import word_of
@@ -15,10 +15,10 @@ from verbteach_tui.messages import ActPicked, LineTyped, PartToggled, StepChosen
 from verbteach_tui.screens.note import NoteScreen
 from verbteach_tui.screens.speaking import SpeakingScreen
 from verbteach_tui.teaching import Teaching
+from verbteach_tui.typed_word import TypedWord
 from verbteach_tui.widgets.command_input import CommandInput
 
 _TYPING = "To answer in words, press Tab or / first."
-_UNDO = " What the first letter said is taken back with u."
 _AHEAD = (Phase.COMMAND, Phase.DEMONSTRATION)
 """Where lines may be typed while the robot is still thinking about the last one."""
 _STEERS = {Phase.JUDGEMENT: "ex"}
@@ -35,6 +35,9 @@ class AnsweringScreen(SpeakingScreen):
         self._typed = ""
         self._ahead: list[str] = []
         self._told = float("-inf")
+        self._word = TypedWord()
+        self._due: ScriptAct | None = None
+        self.keeps_line = self.dropped = False
 
     @property
     def typing(self) -> bool:
@@ -55,9 +58,11 @@ class AnsweringScreen(SpeakingScreen):
         own = character in getattr(self.focused, "OWN_KEYS", "")
         if self.guard.typing(character, event.time, repeats=own):
             self._typed_elsewhere(event)
-        elif own:
+            return
+        self._word.forget()
+        if own:
             return  # the widget in focus has that key for itself
-        elif self._answers(character):
+        if self._answers(character):
             _consume(event)
             if self.guard.answers(event.time):
                 self._say_key(character)
@@ -70,7 +75,8 @@ class AnsweringScreen(SpeakingScreen):
         """A letter on its way elsewhere when the line got the focus comes after the one before."""
         if event.character is not None and event.is_printable:
             _consume(event)
-            self.query_one(CommandInput).insert_text_at_cursor(event.character)
+            if not self.belongs_elsewhere(event):
+                self.query_one(CommandInput).insert_text_at_cursor(event.character)
 
     def on_paste(self, event: events.Paste) -> None:
         """What is pasted where keys answer is meant for the line; nothing is said by it."""
@@ -80,13 +86,64 @@ class AnsweringScreen(SpeakingScreen):
         line.take_in(event.text)
 
     def _typed_elsewhere(self, event: events.Key) -> None:
-        """Swallow a key that belongs to a word, and say once a word where words go."""
+        """Swallow a key that belongs to a word, or go on with it in the line.
+
+        Say once a word where words go.
+        """
         _consume(event)
+        if event.character and event.is_printable and self._word.goes_beyond(event.character):
+            self._into_the_line()
+            return
         ended = event.key == "enter" or self.guard.swallowed == 2
-        if ended and event.time - self._told >= _TELLING:
+        if ended and not self._word.text and event.time - self._told >= _TELLING:
             self._told = event.time
-            said = self.guard.answered(event.time)
-            self.notify(_TYPING + (_UNDO if said else ""), timeout=_TELLING)
+            self.notify(_TYPING, timeout=_TELLING)
+
+    def _into_the_line(self) -> None:
+        """A word is being typed: take back what its first letter said, and go on in the line."""
+        text, self._due = self._word.end()
+        line = self.query_one(CommandInput)
+        self.set_focus(line)
+        line.value = f"{line.value} {text}".lstrip()
+        line.cursor_position = len(line.value)
+        self.take_back()
+
+    def belongs_elsewhere(self, event: events.Key) -> bool:
+        """Whether a key that came to the line goes on with a word that began as an answer.
+
+        The answer has led to the next command, whose line has the keys then. More
+        than the answer's name is that next command already, unless the answer has
+        dropped what was shown.
+        """
+        if not self._word.text or event.character is None or not event.is_printable:
+            return False
+        if not self.guard.goes_on(event.time):
+            self._word.forget()
+            return False
+        if not self._word.goes_beyond(event.character):
+            self.guard.typing(event.character, event.time)
+            return True
+        if self.dropped:
+            self._into_the_line()
+            return True
+        self._word.forget()
+        return False
+
+    def nothing_said(self) -> None:
+        """What was said last came to nothing: there is nothing of it to take back."""
+        self._word.refused()
+        self._due = None
+        self.keeps_line = False
+
+    def take_back(self) -> None:
+        """Take back what the first letter of a word said, as soon as the robot has answered it.
+
+        Until that is shown the line keeps the keys.
+        """
+        if self._due is not None and not self.thinking:
+            act, self._due = self._due, None
+            self.say(act, render(act), "key")
+        self.keeps_line = self.thinking
 
     def _answers(self, character: str) -> bool:
         snapshot = self.snapshot
@@ -94,10 +151,12 @@ class AnsweringScreen(SpeakingScreen):
 
     def _say_key(self, character: str) -> None:
         thing = self.snapshot.choices.get(character)
+        word = word_of(character, self.snapshot.phase) or ""
         if thing is not None:
             self.say(acts.Point(thing), character, "key")
-        else:
-            self.say_word(word_of(character, self.snapshot.phase) or "", character, "key")
+        elif not self.thinking:
+            self._word.begin(character, word)
+            self.say_word(word, character, "key")
 
     def say_word(self, word: str, raw: str, via: str) -> None:
         """Say a word of the script; for a note, ask for its text first."""

@@ -86,6 +86,7 @@ class TeachScreen(AnsweringScreen):
     def on_mount(self) -> None:
         """Show the session as it is opened."""
         self.choose_tab("dialogue")
+        self.query_one(CommandInput).elsewhere = self.belongs_elsewhere
         self._show(self.snapshot, played=False)
         for notice in self.teaching.notices:
             self.notify(visible(notice), title="The record was repaired", markup=False, timeout=12)
@@ -116,7 +117,7 @@ class TeachScreen(AnsweringScreen):
         line.expect(prompt.placeholder, prompt.example, self._completion)
         line.stays = snapshot.phase is Phase.COMMAND
         went_on = self._went_on_typing(snapshot)
-        if snapshot.phase is Phase.COMMAND:
+        if snapshot.phase is Phase.COMMAND or self.keeps_line:
             line.focus()
         elif not (went_on and (line.has_focus or self.query_one(Stage).builder.editing)):
             self._answer_with_keys()
@@ -185,9 +186,13 @@ class TeachScreen(AnsweringScreen):
         self.settled()
         before, steps = self._phase, self._steps
         self._show(message.snapshot, message.played)
-        if steps and before is Phase.DEMONSTRATION and message.snapshot.phase in _WITHOUT_IT:
+        self.dropped = bool(
+            steps and before is Phase.DEMONSTRATION and message.snapshot.phase in _WITHOUT_IT
+        )
+        if self.dropped and self._due is None:
             self.notify(_DROPPED, timeout=8)
         self.say_what_was_typed_ahead(before)
+        self.take_back()
         for screen in self.app.screen_stack:
             if isinstance(screen, VerbsScreen):
                 screen.show_snapshot(message.snapshot)
@@ -195,6 +200,7 @@ class TeachScreen(AnsweringScreen):
     def on_refused(self, message: Refused) -> None:
         """What was said does not fit; nothing has changed."""
         self.settled()
+        self.nothing_said()
         self.give_back(message.raw)
         self._show_keys()
         self.notify(visible(message.reason), severity="warning", markup=False, timeout=6)
@@ -206,6 +212,7 @@ class TeachScreen(AnsweringScreen):
             self.app.notify(_LEFT_SO, severity="warning", timeout=8)
             self.post_message(SessionLeft(self.teaching, self._after_leaving))
             return
+        self.nothing_said()
         self.give_back(message.raw)
         self._show_keys()
         self.app.push_screen(FailureScreen(message.doing, message.error))

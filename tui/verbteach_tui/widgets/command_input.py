@@ -38,6 +38,7 @@ class CommandInput(Input):
         self._back = 0
         self._wanted = self._example = ""
         self.stays = False
+        self.elsewhere: Callable[[events.Key], bool] = lambda event: False
 
     def expect(self, wanted: str, example: str, complete: Callable[[str], str | None]) -> None:
         """Say what is wanted, with an ``example`` for who is elsewhere; and how it is completed."""
@@ -55,8 +56,11 @@ class CommandInput(Input):
         self._say_what_is_wanted()
 
     def on_key(self, event: events.Key) -> None:
-        """No line begins with the key that leads to this one: pressed once more it does nothing."""
-        if event.character == "/" and not self.value:
+        """No line begins with the key that leads to this one: pressed once more it does nothing.
+
+        Nor does one begin with the rest of a word whose first letter has answered.
+        """
+        if (event.character == "/" and not self.value) or self.elsewhere(event):
             event.prevent_default()
             event.stop()
 
