@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from dataclasses import replace
 
 import pytest
@@ -11,6 +12,7 @@ from hypothesis import strategies as st
 from tests.experiments.shelves import DOMAIN, KEY, OBJECTS, STARTS, instances, planner, room, task
 from verbteach.experiments.sight import Sight, stream
 from verbteach.experiments.workroom import furnish, furnished
+from verbteach.perception.belief import Exclusivity
 from verbteach.perception.noise import NoiseModel
 from verbteach.verbs.instance import Instance
 from verbteach.world.fluents import Fluent, State
@@ -73,6 +75,24 @@ def test_a_draw_is_the_instances_own() -> None:
     assert believed(whole, found[0]) != believed(replace(whole, seed=1), found[0])
     twin = replace(found[0], id="twin")
     assert believed(whole, twin) != believed(whole, found[0])
+
+
+def test_who_knows_no_rules_sees_what_the_eyes_see() -> None:
+    noise = NoiseModel.named("std5", "phantom")
+    plain = Sight.of(noise, instances())
+    ruled = Sight.of(noise, instances(), exclusive=(Exclusivity((("on", 0),), joint=True),))
+    assert ruled.unruled == plain
+    assert plain.unruled is plain
+
+
+def test_what_was_seen_is_remembered_by_a_part_of_the_draw_and_by_no_copy() -> None:
+    sight, first = Sight.of(NoiseModel.named("std5"), instances()), instances()[0]
+    seen = sight.met(first, room())
+    assert sight.only({first.group}).met(first, room()) is seen
+    assert replace(sight, run=1).met(first, room()) != seen
+    posted = pickle.loads(pickle.dumps(sight))
+    assert posted.met(first, room()) == seen
+    assert posted.met(first, room()) is not seen
 
 
 def test_perfect_eyes_see_the_truth() -> None:

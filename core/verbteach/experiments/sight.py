@@ -78,6 +78,11 @@ class Sight:
         narrowed._remember(self._demonstrated, self._met)
         return narrowed
 
+    @property
+    def unruled(self) -> Sight:
+        """The same draw for who knows no rule about what cannot be true at once."""
+        return replace(self, exclusive=()) if self.exclusive else self
+
     def is_draw(self, noise: NoiseModel, seed: int, run: int) -> bool:
         """Whether this is the draw of that noise, seed and run."""
         return (self.noise, self.seed, self.run) == (noise, seed, run)

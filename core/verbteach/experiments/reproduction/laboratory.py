@@ -53,7 +53,7 @@ class Laboratory:
         if config.policy not in DEMONSTRATION_ONLY:
             return row_of(task, run(self.bench, config))
         setup = replace(setup_of(config), grounding=self.grounding, grounder=self.grounder)
-        sight = self.bench.sight(setup.noise, config.seed, config.run)
+        sight = self.bench.sight(setup.noise, config.seed, config.run).unruled
         result = demonstration_only(self.bench.instances, self.grounds, config, setup, sight)
         return row_of(task, result)
 
