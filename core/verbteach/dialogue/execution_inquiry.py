@@ -178,8 +178,10 @@ class ExecutionInquiry:
         wanted = self._relevance() if hinges or hinges is None else {}
         found = []
         for fluent, confidence in unsure:
+            if hinges is not None and fluent not in hinges:
+                continue
             relevance = max((wanted.get(word, 0.0) for word in fluent.args), default=0.0)
-            matters = relevance > 0.0 if hinges is None else fluent in hinges
+            matters = relevance > 0.0 or hinges is not None
             if matters and EnvPredYnq(fluent) not in self.asked:
                 found.append((-doubt(confidence) * relevance, fluent, confidence, relevance))
         for _, fluent, confidence, relevance in sorted(found)[

@@ -6,7 +6,7 @@ The same loop serves both phases; the phase's inquiry says what can be asked.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Generic, Protocol, Self, TypeVar
 
@@ -14,13 +14,11 @@ import numpy as np
 
 from verbteach.dialogue.acts import RobotAct
 from verbteach.dialogue.decision import Candidate, Decision
-from verbteach.dialogue.execution_inquiry import ExecutionInquiry
 from verbteach.dialogue.inquiry import Reply
 from verbteach.dialogue.rewards import Rewards
-from verbteach.experiments.carrying_out import Carried, carry_out
+from verbteach.experiments.carrying_out import Carried
 from verbteach.experiments.simulated_human import SimulatedHuman
 from verbteach.policy.asking_policy import ENDING, AskingPolicy
-from verbteach.world.plan import Action
 
 MOST = 8
 """So many questions are traced at most."""
@@ -100,23 +98,21 @@ def judged(dialogue: Dialogue[Phase], right: float, rewards: Rewards) -> Dialogu
 
 def asked_on(
     state: Phase,
-    inquiry: Callable[[Phase], ExecutionInquiry],
+    carried: Callable[[Phase], Carried],
     policy: AskingPolicy,
     human: SimulatedHuman,
-    gold: Sequence[Action],
     rng: np.random.Generator,
     most: int = MOST,
 ) -> tuple[Carried, ...]:
     """How the command would be carried out after no question, after one, and so on.
 
-    ``inquiry`` gives the execution phase that ``state`` stands for. It ends
-    with the policy, or after ``most`` questions.
+    ``carried`` says how in a state. It ends with the policy, or after ``most`` questions.
     """
-    found = [carry_out(inquiry(state), human, gold)]
+    found = [carried(state)]
     while len(found) <= most:
         act = policy.choose(None, state.candidates(), rng).act
         if isinstance(act, ENDING):
             break
         state = state.after(act, human.reply(act, len(found) - 1, rng))
-        found.append(carry_out(inquiry(state), human, gold))
+        found.append(carried(state))
     return tuple(found)

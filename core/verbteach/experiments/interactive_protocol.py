@@ -350,15 +350,20 @@ class _Run:
         human, gold = self._human(instance), self.bench.gold(instance)
         start = Remembering(self.bench.command(instance, self.sight, memory, self.config.trust))
         rng = self.draws("test", instance.id)
-        held = hold(start, policy, human, self.config.training.priced, rng).state.state
+        last = hold(start, policy, human, self.config.training.priced, rng).state
+        held = last.state
         carried = carry_out(held, human, gold)
         self.witness(
             AskedCommand(instance, human, memory, policy, start.state, held, gold, carried)
         )
+
+        def again(state: Remembering[ExecutionInquiry]) -> Carried:
+            return carried if state is last else carry_out(state.state, human, gold)
+
         traced: tuple[Carried, ...] = ()
         if trace:
             rng = self.draws("trace", instance.id)
-            traced = asked_on(start, _unwrapped, asking_on(policy), human, gold, rng)
+            traced = asked_on(start, again, asking_on(policy), human, rng)
         pool = held.pool
         return Tested(
             instance.id,
@@ -374,10 +379,6 @@ class _Run:
 
     def _human(self, instance: Instance) -> SimulatedHuman:
         return self.bench.human(instance, self.config.human.teaching(instance.id))
-
-
-def _unwrapped(state: Remembering[ExecutionInquiry]) -> ExecutionInquiry:
-    return state.state
 
 
 def _sorted(tested: Iterable[Tested]) -> tuple[Tested, ...]:

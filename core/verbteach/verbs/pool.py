@@ -71,6 +71,11 @@ class PoolParameters:
     thresholds: tuple[float, ...] = (0.2, 0.3, 0.4, 0.5)
     places: Mapping[str, int] = field(default_factory=lambda: dict(PLACES))
 
+    @cached_property
+    def floors(self) -> Floats:
+        """The thresholds, one in a row."""
+        return np.array(self.thresholds)[:, None]
+
     @property
     def agreement(self) -> float:
         """The probability that a right hypothesis agrees with an answer as given."""
@@ -154,13 +159,14 @@ class GoalPool:
     @cached_property
     def decision(self) -> Decision:
         """The choice to make now."""
-        order = np.argsort(-self.probabilities, kind="stable")[: self.parameters.kept]
+        order = (-self.probabilities).argsort(kind="stable")[: self.parameters.kept]
         truths = self.truths[order]
         chances = self.probabilities[order]
-        likely = self.marginals > np.array(self.parameters.thresholds)[:, None]
+        likely = self.marginals > self.parameters.floors
         singles = truths.astype(np.float32)
-        first = truths[: self.parameters.choices] > 0.5
-        choices = np.concatenate([first, likely]).astype(np.float32)
+        first = truths[: self.parameters.choices]
+        wanted = first if first.dtype == np.bool_ else first > 0.5
+        choices = np.concatenate([wanted, likely]).astype(np.float32)
         shared = choices @ singles.T
         union = choices.sum(1)[:, None] + singles.sum(1) - shared
         return Decision(singles, chances / chances.sum(), choices, shared, union, order)
