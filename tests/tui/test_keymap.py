@@ -107,8 +107,9 @@ async def test_the_app_goes_by_the_persons_own_keys(tmp_path: Path) -> None:
         here.hurry()
         await here.lines("open the fridge", "go to the fridge", "open the fridge", "done")
         assert here.phase == "read_back"
-        await here.key("y")
+        await here.key("y")  # which begins a line now
         assert here.phase == "read_back"
+        await here.key("backspace", "escape")
         await here.key("j")
         assert here.phase == "command"
         await here.key("f8")

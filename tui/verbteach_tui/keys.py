@@ -65,6 +65,24 @@ ANYTIME: tuple[Key, ...] = (
 )
 """What can be said whatever the robot waits for."""
 
+MEANS: Mapping[str, str] = {
+    "why": "why the robot asks or does what it does",
+    "repeat": "what the robot said last, again",
+    "undo": "takes back what you said last",
+    "redo": "says again what you took back",
+    "flag": "marks the turn as odd",
+    "note": "keeps a note of yours beside the turn",
+}
+"""What a word comes to, where the bar's short label would say too little."""
+
+
+def told(key: Key) -> str:
+    """What a key says, for the help: never the same word twice."""
+    if key.word in MEANS:
+        return f"{key.word}: {MEANS[key.word]}"
+    return key.label if key.label == key.word else f"{key.label} (in words: {key.word})"
+
+
 DIGITS = "123456789"
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 
 from verbteach.dialogue.moves import Phase
-from verbteach_tui.keys import answer_keys, anytime
+from verbteach_tui.keys import MEANS, answer_keys, anytime
 from verbteach_tui.snapshot import Snapshot
 from verbteach_tui.views.dialogue import SPEAKERS
 from verbteach_tui.views.marks import Mark
@@ -26,15 +26,6 @@ LOCAL = {
     "shown": "the steps you have shown, numbered, and what they have changed",
 }
 """Words that only the plain mode knows; they are not for the robot and leave no record."""
-
-_MEANS = {
-    "why": "why the robot asks or does what it does",
-    "repeat": "what the robot said last, again",
-    "undo": "takes back what you said last",
-    "redo": "says again what you took back",
-    "flag": "marks the turn as odd",
-}
-"""What can be said at any time, where the bar's short labels would say too little."""
 
 _READ_BACK = "say y if that is right, n if not; a number strikes that part, or keeps it after all."
 
@@ -85,9 +76,7 @@ def help_lines(snapshot: Snapshot, hidden: Collection[str] = (), rooms: bool = T
         said.setdefault(key.word, []).append(key.key)
     lines += [f"{word} or {' or '.join(keys)}" for word, keys in said.items()]
     lines += [
-        f"{key.word} or {key.key}: {_MEANS.get(key.word, key.label)}"
-        for key in anytime()
-        if key.word != "note"
+        f"{key.word} or {key.key}: {MEANS[key.word]}" for key in anytime() if key.word != "note"
     ]
     lines += ["note: TEXT keeps a note beside the turn", "quit leaves; you can go on later"]
     if snapshot.phase is Phase.COMMAND and rooms:

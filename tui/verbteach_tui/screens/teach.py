@@ -15,7 +15,7 @@ from verbteach.dialogue import acts
 from verbteach.dialogue.moves import Phase
 from verbteach_sessions.script import ScriptAct, render
 from verbteach_sessions.session_acts import Quit, Redo, Undo
-from verbteach_tui.keys import answers, anytime
+from verbteach_tui.keys import MEANS, answers, anytime, told
 from verbteach_tui.messages import (
     Refused,
     SessionLeft,
@@ -327,12 +327,13 @@ class TeachScreen(AnsweringScreen):
     def single_keys(self) -> Iterable[tuple[str, str]]:
         """The keys that answer now, each with what it says."""
         for key in (*answers(self.snapshot.phase), *anytime()):
-            yield key.key, f"{key.label} (in words: {key.word})"
+            yield key.key, told(key)
 
     def palette(self) -> Iterable[tuple[str, str, Callable[[], object]]]:
         """Every action of this screen with what it does, for the palette."""
         for key in (*answers(self.snapshot.phase), *anytime()):
-            yield key.label.capitalize(), f"Say '{key.word}'", partial(self.action_word, key.word)
+            about = MEANS.get(key.word, f"Say '{key.word}'").capitalize()
+            yield key.label.capitalize(), about, partial(self.action_word, key.word)
         yield "Undo to an earlier turn", "Pick the turn; redo as well", self.action_turns
         yield "Verbs", "The verbs the robot has learned", self.action_verbs
         yield "Robot's view", "Beside the scene what the robot took it for", self.action_belief
