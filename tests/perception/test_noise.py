@@ -107,6 +107,37 @@ def test_a_predicate_has_its_own_reliability() -> None:
     assert isinstance(seen, Belief)
 
 
+def test_kinds_of_fluents_are_seen_as_the_text_has_it() -> None:
+    assert NoiseModel.named("0.2") == NoiseModel(0.2)
+    assert NoiseModel.named("std3, on = perfect, in=0.4") == NoiseModel(
+        0.3, spreads={"on": 0.0, "in": 0.4}
+    )
+    phantom = NoiseModel.named("perfect,on=std5", "phantom")
+    assert phantom == NoiseModel(0.0, clipped=True, phantoms=True, spreads={"on": 0.5})
+    phantom.check_kinds({"on", "near"})
+    with pytest.raises(ValueError, match="'on': no such kind of fluent here; there are in, near"):
+        phantom.check_kinds({"near", "in"})
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("loud", "no noise level 'loud'"),
+        ("-1", "0 or more"),
+        ("nan", "0 or more"),
+        ("", "no noise level ''"),
+        ("std3,on", "put as on=0.1"),
+        ("std3,=0.1", "put as on=0.1"),
+        ("std3,on=often", "no noise level 'often'"),
+        ("std3,on=0.1,on=0.2", "given twice"),
+        ("on=0.1", "no noise level 'on=0.1'"),
+    ],
+)
+def test_what_is_no_noise_is_refused_with_what_there_is(text: str, why: str) -> None:
+    with pytest.raises(ValueError, match=why):
+        NoiseModel.named(text)
+
+
 @pytest.mark.parametrize("spread", [-0.1, math.nan])
 def test_a_spread_that_is_none_is_refused(spread: float) -> None:
     with pytest.raises(ValueError, match="spread"):

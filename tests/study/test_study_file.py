@@ -73,6 +73,7 @@ def test_the_hashes_are_of_what_is_shown_and_of_the_file() -> None:
         ("[questionnaire]", '[questionnaire]\nwhen = "never"', "never"),
         ("[questionnaire]", "[questionnaire]\nnasa_tlx = 1", "true or false"),
         ('id = "asking"', 'id = "showing"', "used twice"),
+        ('id = "asking"', 'id = "asking"\nnoise = "loud"', "no noise level 'loud'"),
         ("seed = 7", "seed = seven", "is not TOML"),
     ],
 )

@@ -38,6 +38,25 @@ def test_written_lines_are_seldom_asked_and_somebody_who_answers_is(tmp_path: Pa
     assert sum(ran.document["questions_by_type"].values()) == ran.document["questions"]
 
 
+def test_eyes_of_ones_own_are_recorded_and_told(tmp_path: Path) -> None:
+    words = ("--noise", "0.2,on=perfect,open=0.45", "--noise-reading", "phantom")
+    session = taught(tmp_path, BOIL, *words)["session"]
+    noise = header(session)["noise"]
+    assert (noise["spread"], noise["spreads"]) == (0.2, {"on": 0.0, "open": 0.45})
+    assert noise["phantoms"] is True
+    assert "noise 0.2, on 0.0, open 0.45, seed 0" in here("replay", session, "--plain").out
+    assert here("replay", session, "--verify").status == 0
+
+
+def test_eyes_that_nobody_has_are_refused_in_a_line(tmp_path: Path) -> None:
+    words = ("teach", "--teacher", "simulated", "--sessions", tmp_path, "--noise")
+    assert_refused(here(*words, "often"), "often", "perfect")
+    assert_refused(here(*words, "0.2,on"), "on=0.1")
+    assert_refused(here(*words, "0.2,opne=0.1"), "opne", "openable")
+    assert_refused(here("evaluate", "--noise", "0.2,opne=0.1"), "opne", "openable")
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_weights_of_a_file_are_held_when_frozen(tmp_path: Path) -> None:
     words = ("--weights", STARTING, "--freeze")
     document = taught(tmp_path, SHOWN + "skip\n", *words)

@@ -8,13 +8,14 @@ when a session is opened, so that the home screen appears at once.
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from verbteach_tui.conclusion import WrongUseError
+from verbteach_tui.eyes import check_kinds
 from verbteach_tui.terminal import has_terminal, size_in_browser
 
 if TYPE_CHECKING:
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from verbteach.dialogue.setting import Setting, Settings
     from verbteach.policy.learned_policy import LearnedPolicy
     from verbteach.policy.weights_file import PolicyWeights
+    from verbteach.world.domain import Domain
     from verbteach.world.scene import Scene
     from verbteach_scenarios.nlp.second_opinion import SecondOpinion
     from verbteach_sessions.header import Source
@@ -108,6 +110,7 @@ class Beginning:
             has = ", ".join(POLICIES)
             raise WrongUseError(f"this version has no policy {policy!r}; it has: {has}")
         noise = NoiseModel.named(chosen.noise, chosen.noise_reading)
+        check_kinds(noise, self._domains())
         # What was promised was calibrated with every part of a demonstration planned for.
         patience = None if chosen.promise is not None else EXHAUSTIVE
         learning = LearningParameters(exhaustive=patience)
@@ -122,6 +125,11 @@ class Beginning:
             raise WrongUseError(f"--weights and --freeze are for --policy {LEARNED}")
         named = Method.named(policy, parameters)
         return replace(named, second_opinion=chosen.second_opinion, promise=promise)
+
+    def _domains(self) -> Iterator[Domain]:
+        """What there may be to see, of each scene as it is asked for."""
+        for scene in self.scene_ids():
+            yield self.scene(scene).domain
 
     def _promise(self, policy: str, rate: float) -> Promise:
         """What the calibration that came with the weights supports for such eyes."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
 
 from verbteach.dialogue.codec import teacher_act_from_json
 from verbteach_sessions import events as kinds
@@ -35,9 +36,15 @@ def lines_of(event: Event) -> Iterator[str]:
 
 def _header(event: Event) -> Iterator[str]:
     data = event.data
-    policy, noise = data["policy"].get("name"), data["noise"].get("spread")
+    policy, noise = data["policy"].get("name"), _noise(data["noise"])
     yield f"Session {data['id']}, {data['created']}, taught by: {data['teacher']}"
     yield f"Scene {data['scene']}, policy {policy}, noise {noise}, seed {data['seed']}"
+
+
+def _noise(noise: Mapping[str, Any]) -> str:
+    """The spread, and those of the kinds of fluents that have their own."""
+    kinds = (f", {kind} {spread}" for kind, spread in noise.get("spreads", {}).items())
+    return "".join([f"{noise.get('spread')}", *kinds])
 
 
 def _teacher(event: Event) -> Iterator[str]:

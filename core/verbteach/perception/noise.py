@@ -8,7 +8,7 @@ two states are seen independently; every reading is a parameter here.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from statistics import NormalDist
@@ -54,18 +54,26 @@ class NoiseModel:
                 raise ValueError(f"a spread is 0 or more, not {spread}")
 
     @classmethod
-    def named(cls, level: str, reading: str = "literal") -> NoiseModel:
-        """A level of ``LEVELS`` in a reading of ``READINGS``. Raises ``ValueError`` for others.
+    def named(cls, noise: str, reading: str = "literal") -> NoiseModel:
+        """What ``noise`` describes, in a reading of ``READINGS``. Raises ``ValueError``.
 
-        ``literal``: truncated, false fluents at 0. ``phantom``: clipped, with
-        phantoms.
+        ``std3``: a level of ``LEVELS``. ``0.2``: a spread. ``std3,on=perfect,open=0.1``:
+        fluents of the kinds ``on`` and ``open`` are seen otherwise than the rest.
+        ``literal``: truncated, false fluents at 0. ``phantom``: clipped, with phantoms.
         """
-        if level not in LEVELS:
-            raise ValueError(f"no noise level {level!r}; there are {', '.join(LEVELS)}")
+        level, *kinds = (part.strip() for part in noise.split(","))
         if reading not in READINGS:
             raise ValueError(f"no noise reading {reading!r}; there are {', '.join(READINGS)}")
         phantom = reading == "phantom"
-        return cls(LEVELS[level], clipped=phantom, phantoms=phantom)
+        return cls(_spread(level), phantom, phantom, spreads=_spreads(kinds))
+
+    def check_kinds(self, predicates: Collection[str]) -> None:
+        """Raise ``ValueError`` where a spread is for no predicate of these."""
+        for predicate in sorted(set(self.spreads) - set(predicates)):
+            has = ", ".join(sorted(predicates))
+            raise ValueError(
+                f"noise of {predicate!r}: no such kind of fluent here; there are {has}"
+            )
 
     def with_spreads(self, spreads: Mapping[str, float]) -> NoiseModel:
         """The same sensor, with these predicates seen otherwise."""
@@ -126,6 +134,33 @@ def perceive_both(
     same = {fluent: c for fluent, c in before.items() if fluent not in changed}
     other = {fluent: c for fluent, c in after.items() if fluent in changed}
     return before, Belief.of({**same, **other}, exclusive)
+
+
+def _spread(text: str) -> float:
+    """The spread of a level's name, or a number's."""
+    if text in LEVELS:
+        return LEVELS[text]
+    levels = f"there are {', '.join(LEVELS)}, or a spread such as 0.2"
+    try:
+        spread = float(text)
+    except ValueError:
+        raise ValueError(f"no noise level {text!r}; {levels}") from None
+    if math.isnan(spread) or spread < 0:
+        raise ValueError(f"noise {text}: a spread is 0 or more; {levels}")
+    return spread
+
+
+def _spreads(kinds: Sequence[str]) -> dict[str, float]:
+    """The spread of each kind of fluent, of parts like ``on=0.1``; the kinds in their order."""
+    found: dict[str, float] = {}
+    for part in kinds:
+        predicate, equals, level = (piece.strip() for piece in part.partition("="))
+        if not (predicate and equals):
+            raise ValueError(f"noise {part!r}: a kind of fluent and its level are put as on=0.1")
+        if predicate in found:
+            raise ValueError(f"noise of {predicate!r} is given twice")
+        found[predicate] = _spread(level)
+    return dict(sorted(found.items()))
 
 
 def _clipped(spread: float, uniform: float) -> float:

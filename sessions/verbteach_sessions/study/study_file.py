@@ -9,7 +9,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from verbteach.perception.noise import LEVELS, READINGS
+from verbteach.perception.noise import READINGS, NoiseModel
 from verbteach_sessions.method import POLICIES
 from verbteach_sessions.study.design import (
     DESIGNS,
@@ -108,7 +108,7 @@ def _condition(table: Table, beside: WeightsBeside) -> Condition:
     condition = Condition(
         id=_name(table, "id"),
         policy=table.choice("policy", POLICIES),
-        noise=table.choice("noise", LEVELS, "perfect"),
+        noise=_noise(table),
         noise_reading=table.choice("noise_reading", READINGS, "literal"),
         panels=tuple(panel for panel in PANELS if panel in panels),
         weights=weights,
@@ -120,6 +120,15 @@ def _condition(table: Table, beside: WeightsBeside) -> Condition:
         table.fail(name, f"is for the policy {LEARNED!r} alone: the others learn no weights")
     table.close()
     return condition
+
+
+def _noise(table: Table) -> str:
+    noise = table.text("noise", "perfect")
+    try:
+        NoiseModel.named(noise)
+    except ValueError as error:
+        table.fail("noise", str(error))
+    return noise
 
 
 def _lessons(table: Table, scenes: Collection[str], parts: int) -> Lessons:

@@ -31,6 +31,7 @@ from verbteach_tui.commands.parameters import (
 )
 from verbteach_tui.commands.streams import Progress, columns, emit, progress, tell
 from verbteach_tui.conclusion import WrongUseError
+from verbteach_tui.eyes import check_kinds
 
 if TYPE_CHECKING:
     from verbteach.experiments.jobs import Setup
@@ -147,18 +148,18 @@ def evaluate(
         asked.check()
     with progress() as show:
         if source is not None:
-            found = _to_test(test_data or data, show)
+            found = _to_test(test_data or data, show, asked.noise)
             document = taught_document(source, asked, found, show)
         elif mistakes:
-            found = _data(data, test_data, show)
+            found = _data(data, test_data, show, asked.noise)
             document = mistakes_document(asked, found, show, out, ceilings)
         elif asked.about_asking:
             spread = _runs_spread(asked, data, test_data, jobs, show)
-            found = _data(data, test_data, show)
+            found = _data(data, test_data, show, asked.noise)
             document = policy_document(asked, found, show, spread=spread)
         else:
             setup = _setup(policy or "she16", criterion, objects, noise, noise_reading, seed or 0)
-            found = _data(data, test_data, show)
+            found = _data(data, test_data, show, asked.noise)
             setup = _grounded(setup, grounding, found)
             document = evaluation.evaluate(
                 found.grounds, setup, runs, _Spread(jobs, show), ceilings=ceilings
@@ -229,25 +230,37 @@ def _setup(
     return Setup(chosen, NoiseModel.named(noise or "perfect", reading or "literal"), seed=seed)
 
 
-def _data(data: Path | None, test: Path | None, show: Progress) -> EvaluationData:
+def _data(data: Path | None, test: Path | None, show: Progress, noise: str) -> EvaluationData:
+    """What is learned from and tested on. Raises ``WrongUseError`` for noise of nothing in it."""
     from verbteach_scenarios.grounds import of_corpus, of_lessons
     from verbteach_scenarios.lessons import load_lessons
     from verbteach_scenarios.settings import make_settings
 
     if data is None:
-        return of_lessons(load_lessons(), make_settings())
-    found = of_corpus(data, test, lambda done, total: show("reading", done, total))
-    tell_left_out(found)
+        found = of_lessons(load_lessons(), make_settings())
+    else:
+        found = of_corpus(data, test, lambda done, total: show("reading", done, total))
+        tell_left_out(found)
+    _check_eyes(noise, found)
     return found
 
 
-def _to_test(data: Path | None, show: Progress) -> EvaluationData:
+def _check_eyes(noise: str, found: EvaluationData) -> None:
+    from verbteach.perception.noise import NoiseModel
+
+    domains = (task.domain for task in found.grounds.tasks.values())
+    check_kinds(NoiseModel.named(noise), domains)
+
+
+def _to_test(data: Path | None, show: Progress, noise: str) -> EvaluationData:
     """What a robot that was taught is scored on: nothing is learned from it."""
     from verbteach_scenarios.grounds import to_test
 
     if data is None:
-        return _data(None, None, show)
-    return to_test(data, lambda done, total: show("reading", done, total))
+        return _data(None, None, show, noise)
+    found = to_test(data, lambda done, total: show("reading", done, total))
+    _check_eyes(noise, found)
+    return found
 
 
 def _runs_spread(

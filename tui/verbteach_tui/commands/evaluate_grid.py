@@ -29,10 +29,12 @@ class Part:
     seed: int = 0
 
     def cells(self) -> tuple[Cell, ...]:
-        """Its cells."""
+        """Its cells. Raises ``WrongUseError`` for noise that the grid does not have."""
         from verbteach.experiments.grid import GROUNDINGS, cells
         from verbteach.perception.noise import LEVELS, READINGS
 
+        if self.noise and self.noise not in LEVELS:
+            raise WrongUseError(f"--noise {self.noise}: the grid has {', '.join(LEVELS)}")
         return cells(
             groundings=(self.grounding,) if self.grounding else GROUNDINGS,
             levels=(self.noise,) if self.noise else LEVELS,

@@ -9,6 +9,7 @@ from typing import Annotated, Literal
 import typer
 
 from verbteach_tui.conclusion import WrongUseError
+from verbteach_tui.eyes import NOISE, noise_names, noise_text
 
 
 def scene_names(incomplete: str) -> list[str]:
@@ -38,7 +39,6 @@ def to_be_written(file: Path) -> None:
         raise WrongUseError(f"{folder}: cannot be written to")
 
 
-NOISES = ("perfect", "std3", "std5", "uniform")
 JsonFlag = Annotated[
     bool, typer.Option("--json", help="Print exactly one JSON document on standard output.")
 ]
@@ -62,8 +62,15 @@ SessionsFolder = Annotated[
     ),
 ]
 NoiseOption = Annotated[
-    Literal["perfect", "std3", "std5", "uniform"] | None,
-    typer.Option("--noise", help="How unreliable the robot's eyes are (perfect)."),
+    str | None,
+    typer.Option(
+        "--noise",
+        metavar=NOISE,
+        parser=noise_text,
+        autocompletion=noise_names,
+        help="How unreliable the robot's eyes are (perfect): a level, or a spread such as 0.2;"
+        " kinds of fluents may have their own, as in std3,on=perfect.",
+    ),
 ]
 NoiseReading = Annotated[
     Literal["literal", "phantom"] | None,

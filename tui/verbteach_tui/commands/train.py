@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
@@ -9,15 +10,14 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple
 import typer
 
 from verbteach_tui.commands.parameters import (
-    NOISES,
     JsonFlag,
     NoiseReading,
     SeedOption,
-    chosen,
     to_be_written,
 )
 from verbteach_tui.commands.streams import Progress, columns, emit, note, progress, tell
 from verbteach_tui.conclusion import WrongUseError
+from verbteach_tui.eyes import NOISE, check_kinds, noise_names, noise_text
 
 if TYPE_CHECKING:
     from verbteach.dialogue.lesson import Lesson
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from verbteach.experiments.pupil import LivePractice
     from verbteach.experiments.simulated_human import HumanParameters
     from verbteach.policy.weights_file import PolicyWeights
+    from verbteach.world.domain import Domain
     from verbteach_sessions.people.fitting import Material
     from verbteach_sessions.people.golds import LessonBook
 
@@ -58,8 +59,10 @@ def train(
     noise: Annotated[
         list[str] | None,
         typer.Option(
-            metavar="perfect|std3|std5|uniform",
-            help="How unreliable the eyes are; may be repeated (perfect and std3).",
+            metavar=NOISE,
+            parser=noise_text,
+            autocompletion=noise_names,
+            help="How unreliable the eyes are, as for teach; may be repeated (perfect and std3).",
         ),
     ] = None,
     noise_reading: NoiseReading = None,
@@ -95,11 +98,15 @@ def train(
         raise WrongUseError("--calibrate and --weights go with the bundled lessons, not --data")
     if more and not sessions:
         raise WrongUseError(f"{more[0]}: sessions to practise on are named after --from")
+    from verbteach.perception.noise import NoiseModel
+
     schooling = _schooling(noise, noise_reading, learner, episodes, seed or 0)
     to_be_written(out)
     kept = None if weights is None else _loaded(weights)
     with progress() as show:
         matter = _matter(data, [*(sessions or []), *(more or [])], schooling.seed, show)
+        for name in schooling.noises:
+            check_kinds(NoiseModel.named(name), matter.domains())
         if matter.bench is not None:
             made = _trained(matter.bench, matter.source, schooling, show)
         else:
@@ -133,7 +140,6 @@ def _schooling(
 ) -> Schooling:
     from verbteach.experiments.policy_training import Schooling, with_dialogues
 
-    chosen(noise or [], NOISES, "--noise")
     plain = Schooling(reading=reading or "literal", seed=seed)
     training = plain.training
     if learner is not None:
@@ -171,6 +177,14 @@ class _Matter(NamedTuple):
     bench: Bench | None = None
     room: Classroom | None = None
     people: Material | None = None
+
+    def domains(self) -> Iterator[Domain]:
+        """What there may be to see, of each room as it is asked for."""
+        if self.bench is not None:
+            yield from (room.task.domain for room in self.bench.rooms.values())
+        if self.room is not None:
+            scenes = sorted({lesson.scene for lesson in self.room.lessons})
+            yield from (self.room.settings(scene).task.domain for scene in scenes)
 
 
 def _matter(data: Path | None, sessions: list[Path], seed: int, show: Progress) -> _Matter:

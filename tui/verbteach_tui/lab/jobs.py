@@ -9,7 +9,6 @@ from typing import Any
 TRAIN, COMPARE = "train", "compare"
 KINDS = (TRAIN, COMPARE)
 POLICIES = ("silent", "random", "split", "manual", "rl")
-NOISES = ("perfect", "std3", "std5", "uniform")
 DIALOGUES = (100, 300, 600, 1100)
 ROOMS: Mapping[str, tuple[str, ...]] = {
     "two rooms": ("kitchen-6", "living-room-6"),

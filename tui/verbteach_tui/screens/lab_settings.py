@@ -9,12 +9,12 @@ from typing import ClassVar
 from textual.binding import Binding, BindingType
 from textual.message import Message
 
+from verbteach_tui.eyes import NOISES
 from verbteach_tui.lab.about import SETTINGS
 from verbteach_tui.lab.jobs import (
     COMPARE,
     DIALOGUES,
     KINDS,
-    NOISES,
     POLICIES,
     ROOMS,
     SEEDS,
