@@ -188,3 +188,10 @@ def test_what_uncertain_eyes_only_believe_to_have_changed_is_said_so_and_briefly
     told = said(pupil, "go to the fridge, open it", "done")
     assert "It looks to me as if" in told
     assert "and 3 more things have changed, but I am not sure" in told
+
+
+def test_an_action_without_its_object_is_asked_for_and_leaving_is_told() -> None:
+    pupil = asked()
+    assert 'Say it as "open …"' in said(pupil, "open")
+    assert "say quit" in said(pupil, "how do I leave")
+    assert phase(pupil) is Phase.DEMONSTRATION

@@ -70,6 +70,12 @@ def test_a_misspelled_description_is_offered_and_not_taken() -> None:
     assert meant(listener, "the plate") == {"Plate_1", "Plate_2"}
 
 
+def test_a_noun_and_the_word_before_it_may_both_be_misspelled() -> None:
+    turn = asked(robot(), "boil teh watter")
+    assert isinstance(turn.waiting_act, acts.NpGrdYnq)
+    assert turn.waiting_act.object == "Water"
+
+
 GRAB = ("moveto Mug_2", "grasp Mug_2")
 
 

@@ -59,6 +59,8 @@ def test_actions_in_three_forms() -> None:
     [
         ("fill the cup with water", "fill the cup with water", "filling the cup with water"),
         ("turn the tv on", "turn on the tv", "turning on the tv"),
+        ("turn it on", "turn it on", "turning it on"),
+        ("don't open it", "not open it", "not opening it"),
         ("don't open the window", "not open the window", "not opening the window"),
         ("put it there", "put it there", "putting it there"),
         ("put the lid on the pot", "put the lid on the pot", "putting the lid on the pot"),

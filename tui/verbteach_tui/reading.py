@@ -34,7 +34,7 @@ _SESSION: Mapping[str, str] = {
         ("undo that", "undo it", "undo please", "take that back", "take it back"), "undo"
     ),
     **dict.fromkeys(("redo that", "redo it"), "redo"),
-    **dict.fromkeys(("exit", "bye", "goodbye", "good bye"), "quit"),
+    **dict.fromkeys(("exit", "bye", "goodbye", "good bye", "quit please", "please quit"), "quit"),
 }
 """Other ways to say a word of the session."""
 

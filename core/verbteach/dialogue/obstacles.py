@@ -32,7 +32,8 @@ def _reason(reason: Obstacle, action: Action, speech: Speech) -> str:
             known = ", ".join(sorted(speech.setting.task.domain.actions))
             return f"there is no action {name}; there are {known}"
         case WrongNumber(name=name, expected=expected, given=given):
-            return f"{name} takes {expected} objects, not {given}"
+            things = "object" if expected == 1 else "objects"
+            return f"{name} takes {expected} {things}, not {given}"
         case UnknownObject(name=name):
             return f"there is no object {name} here"
         case WrongType(name=name, expected=expected, actual=actual):

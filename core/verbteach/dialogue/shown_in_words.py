@@ -11,6 +11,7 @@ from verbteach.language.small_talk import Talk, small_talk
 from verbteach.language.steps import HOW, StepReader, StepReading
 from verbteach.world.plan import Action
 
+_LEAVE = "To leave, say quit; you can go on later."
 _BACK = "To take the last step back, say undo."
 
 
@@ -29,6 +30,8 @@ def hear(draft: Draft, text: str) -> None:
             draft.reading = acts.Skip.name
             learning.abandon(draft)
             commands.go_on(draft)
+        case Talk.LEAVE:
+            draft.wait(AskAgain(_LEAVE), Phase.DEMONSTRATION)
         case Talk.BACK:
             draft.wait(AskAgain(_BACK), Phase.DEMONSTRATION)
         case Talk():
@@ -60,7 +63,9 @@ def _read(draft: Draft, text: str, before: str) -> StepReading:
     words = text.strip().removeprefix("(").removesuffix(")").lower().split()
     names = {name.lower(): name for name in setting.task.domain.actions}
     ids = {name.lower(): name for name in setting.scene.objects}
-    if words and words[0] in names and all(word in ids for word in words[1:]):
+    taking = setting.task.domain.actions[names[words[0]]] if words and words[0] in names else None
+    bare = len(words) == 1 and taking is not None and taking.parameters  # "open": what?
+    if taking is not None and not bare and all(word in ids for word in words[1:]):
         return StepReading(Action(names[words[0]], tuple(ids[word] for word in words[1:])))
     return _reader(draft).read(text, before)
 

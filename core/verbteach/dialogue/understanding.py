@@ -193,14 +193,19 @@ def _guesses(draft: Draft, argument: Argument, looks: Looks) -> Candidates:
     Else what its noun means without the words before it that describe nothing here ("teh tv").
     """
     phrase = argument.phrase
-    for head in suggest(phrase.head, draft.mind.setting.vocabulary):
+    heads = suggest(phrase.head, draft.mind.setting.vocabulary)
+    for head in heads:
         found = refer(replace(phrase, head=head), looks)
         if found:
             return found
     fitting = tuple(
         word for word in phrase.modifiers if any(looks.has_mark(o, word) for o in looks.objects)
     )
-    return refer(replace(phrase, modifiers=fitting), looks) if fitting != phrase.modifiers else ()
+    for head in (phrase.head, *heads) if fitting != phrase.modifiers else ():
+        found = refer(replace(phrase, head=head, modifiers=fitting), looks)
+        if found:
+            return found
+    return ()
 
 
 def _experienced(draft: Draft, phrase: str, found: Candidates) -> dict[str, float]:

@@ -109,6 +109,8 @@ def _is_question(sentence: Sequence[str]) -> bool:
     if first in {"does", "did", "has", "had"}:
         return True
     asks = first in words.QUESTION_WORDS
+    if first in {"what", "which"} and "do" in sentence[2:4] and "you" in sentence[3:5]:
+        return True  # "what verbs do you know"
     return (
         asks
         and second in words.AUXILIARIES | {"about", "many", "much"} - {"about"}

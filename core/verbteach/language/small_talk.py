@@ -64,6 +64,7 @@ _SAID = {
         correct, right
     """,
     Talk.LEAVE: """
+        how do i leave, how do i quit, how do i exit, how do i stop, how do i get out,
         quit, exit, bye, goodbye, good bye, leave, i want to leave, i want to stop, log out,
         close the app, let me out, i am leaving
     """,

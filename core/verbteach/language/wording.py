@@ -11,8 +11,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
+from verbteach.language.assembly import OBJECT
 from verbteach.language.fallback import action_wording, fluent_wording
-from verbteach.language.frames import Argument, VerbFrame
+from verbteach.language.frames import PRONOUNS, Argument, VerbFrame
 from verbteach.language.inflection import gerund, past, third_person
 from verbteach.language.lexicon import FluentWording, Lexicon
 from verbteach.language.morphology import listing
@@ -107,8 +108,12 @@ class Wording:
     # --- commands -----------------------------------------------------------
 
     def clause(self, frame: VerbFrame) -> str:
-        """A command as it would follow "to": ``turn on the tv``, ``not open the window``."""
-        return " ".join((frame.verb, *map(_argument, frame.arguments)))
+        """A command as it would follow "to": ``turn on the tv``, ``turn it on``."""
+        said = [*map(_argument, frame.arguments)]
+        *verb, particle = frame.verb.split(" ")
+        if verb and verb != ["not"] and said and _is_it(frame.arguments[0]):
+            return " ".join((*verb, said[0], particle, *said[1:]))
+        return " ".join((frame.verb, *said))
 
     def doing(self, frame: VerbFrame) -> str:
         """A command as a gerund: ``turning on the tv``, ``not opening the window``."""
@@ -142,6 +147,11 @@ class Wording:
 def _in_order(literals: Iterable[Literal]) -> list[Literal]:
     """What holds before what does not, each by predicate and arguments: never by hash."""
     return sorted(literals, key=lambda literal: (not literal.positive, literal.fluent))
+
+
+def _is_it(argument: Argument) -> bool:
+    """Whether it is a bare pronoun, which stands before a verb's particle."""
+    return argument.role == OBJECT and argument.phrase.text.lower() in PRONOUNS
 
 
 def _argument(argument: Argument) -> str:
