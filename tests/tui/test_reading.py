@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -12,10 +14,14 @@ from verbteach.dialogue import acts
 from verbteach.dialogue.moves import Phase
 from verbteach.world.plan import Action
 from verbteach_sessions import session_acts
+from verbteach_sessions.header import Header
 from verbteach_sessions.script import LineSyntaxError, ScriptAct, parse_line
+from verbteach_sessions.session import Session
 from verbteach_sessions.session_acts import Quit
 from verbteach_tui.keyguard import KeyGuard
 from verbteach_tui.keys import ALSO, ANSWERS, ANYTIME, answer_keys, word_of
+from verbteach_tui.observer import Observer
+from verbteach_tui.prompts import command_example, prompt_of, step_example
 from verbteach_tui.reading import Reader
 from verbteach_tui.views.labels import Labels
 from verbteach_tui.views.steps import StepBook, StepMenu
@@ -184,3 +190,20 @@ def test_words_may_begin_with_a_slash_and_rooms_be_named_as_they_are_called(
 def test_a_room_is_no_answer() -> None:
     assert Reader(Phase.EXECUTION).read("go to kitchen-3") == acts.Say("go to kitchen-3")
     assert Reader(Phase.EXECUTION).read("/yes") == acts.Yes()
+
+
+@pytest.mark.parametrize(
+    ("scene", "command", "step"),
+    [
+        ("kitchen-1", "boil the water", "go to the sink"),
+        ("living-room-1", "turn on the tv", "go to the couch"),
+        ("living-room-2", "open the window", "go to the sofa"),
+    ],
+)
+def test_examples_speak_of_what_is_there(
+    tmp_path: Path, scene: str, command: str, step: str
+) -> None:
+    with Session.create(tmp_path, Header.new(scene), SETTINGS) as session:
+        snapshot = Observer(session).look()
+        assert (command_example(snapshot), step_example(snapshot)) == (command, step)
+        assert command in prompt_of(snapshot).placeholder

@@ -10,6 +10,7 @@ from collections.abc import Collection, Iterable, Sequence
 
 from verbteach.dialogue.moves import Phase
 from verbteach_tui.keys import MEANS, answer_keys, anytime
+from verbteach_tui.prompts import step_example
 from verbteach_tui.snapshot import Snapshot
 from verbteach_tui.views.dialogue import SPEAKERS
 from verbteach_tui.views.marks import Mark
@@ -42,7 +43,7 @@ _ASKS = {
     Phase.LEARNING: _ANSWER,
     Phase.JUDGEMENT: "Say whether it was right, or stop: N if it should have stopped after a step.",
     Phase.DEMONSTRATION: (
-        "Type a step in your own words, such as: go to the sink; or several with commas between. "
+        "Type a step in your own words, such as: {step}; or several with commas between. "
         "Or type steps for numbered ones. Say done after the last one."
     ),
     Phase.READ_BACK: "Type the number of a part to strike it or keep it after all.",
@@ -70,7 +71,7 @@ def help_lines(snapshot: Snapshot, hidden: Collection[str] = (), rooms: bool = T
 
     Without the words that are ``hidden`` here; ``rooms``: one may go to another scene.
     """
-    lines = [_ASKS[snapshot.phase]]
+    lines = [_ASKS[snapshot.phase].format(step=step_example(snapshot))]
     said: dict[str, list[str]] = {}
     for key in answer_keys(snapshot.phase):
         said.setdefault(key.word, []).append(key.key)

@@ -36,14 +36,45 @@ PROMPTS: Mapping[Phase, Prompt] = {
 }
 
 
+_COMMANDS = (
+    (("kettle", "pot"), "boil the water"),
+    (("tv",), "turn on the tv"),
+    (("window",), "open the window"),
+)
+_PLACES = ("sink", "sofa", "couch", "table", "desk", "door")
+"""What an example may speak of, where it is there; the first that is."""
+
+
+def command_example(snapshot: Snapshot) -> str:
+    """A command about something that the scene has."""
+    there = snapshot.depictor.labels.find
+    told = (command for things, command in _COMMANDS if any(map(there, things)))
+    return next(told, "open the door")
+
+
+def step_example(snapshot: Snapshot) -> str:
+    """A step about something that the scene has."""
+    place = next(filter(snapshot.depictor.labels.find, _PLACES), _PLACES[0])
+    return f"go to the {place}"
+
+
 _MORE_STEPS = 'Type the next step; "that\'s it" ends'
 
 
 def prompt_of(snapshot: Snapshot) -> Prompt:
     """What is asked for now; once something was shown, how to end as well."""
     prompt = PROMPTS[snapshot.phase]
+    if snapshot.phase is Phase.COMMAND:
+        prompt = _about(prompt, command_example(snapshot))
+    elif snapshot.phase is Phase.DEMONSTRATION:
+        prompt = _about(prompt, step_example(snapshot))
     more = snapshot.phase is Phase.DEMONSTRATION and snapshot.shown
     return prompt._replace(placeholder=_MORE_STEPS) if more else prompt
+
+
+def _about(prompt: Prompt, example: str) -> Prompt:
+    placeholder = prompt.placeholder.replace(prompt.example, example)
+    return prompt._replace(placeholder=placeholder, example=example)
 
 
 ABOUT: Mapping[Phase, str] = {
