@@ -118,9 +118,19 @@ def _laid_out(kernel: ModuleType, task: Task, relaxed: RelaxedTask) -> npt.NDArr
             [_numbers(size, e.needs_true, e.needs_false) for e in listed],
             [set_bits(effect.add) for effect in listed],
             [set_bits(effect.delete) for effect in listed],
+            _needed_by(relaxed),
         ),
     )
     return array
+
+
+def _needed_by(relaxed: RelaxedTask) -> list[list[int]]:
+    """The operators that need each proposition."""
+    found: list[list[int]] = [[] for _ in range(2 * relaxed.size)]
+    for operator, needs in enumerate(relaxed.needs):
+        for proposition in needs:
+            found[proposition].append(operator)
+    return found
 
 
 def _effects(action: GroundAction) -> list[ConditionalEffect]:

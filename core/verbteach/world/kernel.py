@@ -38,16 +38,17 @@ ACTION = 20
 
 # Where the task's array says: how many fluents, operators, actions and links there are, and
 # where its tables start. By operator: needs, actor; by proposition: achievers; by action: needs
-# and effects; by effect: needs, fluents added and deleted.
+# and effects; by effect: needs, fluents added and deleted; by proposition: who needs it.
 FLUENTS, OPERATORS, ACTIONS, LINKS = 0, 1, 2, 3
 NEEDS, ACTOR, ACHIEVERS, ACTION_NEEDS, EFFECTS, EFFECT_NEEDS, ADDS, DELETES = range(4, 12)
-HEADER = 12
+NEEDED_BY = 12
+HEADER = 13
 
 # Columns of the scratch arrays; the first ones, marks, start at zero.
 WANTED, STACKED, ASKED, EASY, USERS, COST, BEST = range(7)
 PROPOSITION_MARKS, PROPOSITION_COLUMNS = 3, 7
-ENTERED, COUNTED, FOLLOWED, TAKEN, UNMET, WAITING, SPENT, FEEDS, READY = range(9)
-OPERATOR_MARKS, OPERATOR_COLUMNS = 4, 9
+ENTERED, FOLLOWED, TAKEN, WAITING, SPENT, FEEDS, READY = range(7)
+OPERATOR_MARKS, OPERATOR_COLUMNS = 3, 7
 ITEM, NEXT = 0, 1
 ROUND, DEPTH, EDGES = 0, 1, 2
 
@@ -56,7 +57,8 @@ class Scratch(NamedTuple):
     """Working memory of the estimate; a linked list's head is 0 where the list is empty.
 
     ``now`` counts rounds, what is on the stack, and edges in use; ``false`` is
-    1 for each proposition that is false in the state judged, ``spelled``.
+    1 for each proposition that is false in the state judged, ``spelled``, and
+    ``unmet`` counts the needs of each operator that are false in it.
     """
 
     now: Ints
@@ -66,6 +68,7 @@ class Scratch(NamedTuple):
     stack: Ints
     false: Bytes
     spelled: Words
+    unmet: Ints
 
 
 class Seen(NamedTuple):
@@ -127,19 +130,6 @@ def _span(t: Ints, table: int, number: int) -> tuple[int, int]:
 
 
 @_compiled
-def _unmet(t: Ints, s: Scratch, operator: int) -> int:
-    """How many needs of the operator are false."""
-    if s.ops[operator, COUNTED] != s.now[ROUND]:
-        s.ops[operator, COUNTED] = s.now[ROUND]
-        count = 0
-        first, last = _span(t, NEEDS, operator)
-        for i in range(first, last):
-            count += s.false[t[i]]
-        s.ops[operator, UNMET] = count
-    return int(s.ops[operator, UNMET])
-
-
-@_compiled
 def _is_easy(t: Ints, s: Scratch, proposition: int) -> bool:
     """Whether an operator that can be done now makes the proposition true."""
     if s.props[proposition, ASKED] != s.now[ROUND]:
@@ -147,7 +137,7 @@ def _is_easy(t: Ints, s: Scratch, proposition: int) -> bool:
         s.props[proposition, EASY] = 0
         first, last = _span(t, ACHIEVERS, proposition)
         for i in range(first, last):
-            if _unmet(t, s, t[i]) == 0:
+            if s.unmet[t[i]] == 0:
                 s.props[proposition, EASY] = 1
                 break
     return bool(s.props[proposition, EASY] == 1)
@@ -167,14 +157,17 @@ def _is_easy_operator(t: Ints, s: Scratch, operator: int) -> bool:
 def _most_unmet(t: Ints, s: Scratch, proposition: int) -> int:
     """How much an achiever may lack and still be the cheapest."""
     first, last = _span(t, ACHIEVERS, proposition)
+    if last - first < 2:
+        return int(s.unmet[t[first]]) if last > first else 0
     most = 0
     for i in range(first, last):
-        most = max(most, _unmet(t, s, t[i]))
-    if last - first < 2:
-        return most
-    for number in range(most + 1):
+        number = s.unmet[t[i]]
+        if number == 0:  # it lacks nothing, so all that it lacks is easy
+            return 0
+        most = max(most, number)
+    for number in range(1, most + 1):
         for i in range(first, last):
-            if s.ops[t[i], UNMET] == number and _is_easy_operator(t, s, t[i]):
+            if s.unmet[t[i]] == number and _is_easy_operator(t, s, t[i]):
                 return number
     return most
 
@@ -207,7 +200,7 @@ def _enter(t: Ints, s: Scratch, operator: int, proposition: int) -> bool:
     if new:
         s.ops[operator, ENTERED] = s.now[ROUND]
         s.ops[operator, FEEDS] = 0
-        s.ops[operator, WAITING] = _unmet(t, s, operator)
+        s.ops[operator, WAITING] = s.unmet[operator]
         s.ops[operator, SPENT] = 1
         first, last = _span(t, NEEDS, operator)
         for i in range(first, last):
@@ -229,7 +222,7 @@ def _gather(t: Ints, s: Scratch) -> int:
         first, last = _span(t, ACHIEVERS, proposition)
         for i in range(first, last):
             operator = t[i]
-            if s.ops[operator, UNMET] > most:
+            if s.unmet[operator] > most:
                 continue
             if _enter(t, s, operator, proposition):
                 s.ops[ready, READY] = operator
@@ -295,7 +288,7 @@ def _follow(t: Ints, s: Scratch, depth: int, preferred: Ints) -> tuple[int, int]
         if s.ops[action, TAKEN] != s.now[ROUND]:
             s.ops[action, TAKEN] = s.now[ROUND]
             distance += 1
-        if s.ops[operator, UNMET] == 0:
+        if s.unmet[operator] == 0:
             preferred[count] = action
             count += 1
         first, last = _span(t, NEEDS, operator)
@@ -330,6 +323,14 @@ def _estimate(t: Ints, s: Scratch, goal: Ints, preferred: Ints) -> tuple[int, in
 
 
 @_compiled
+def _lack(t: Ints, s: Scratch, proposition: int, more: int) -> None:
+    """Count a need more, or less, that is unmet for all who need the proposition."""
+    first, last = _span(t, NEEDED_BY, proposition)
+    for i in range(first, last):
+        s.unmet[t[i]] += more
+
+
+@_compiled
 def scratch(t: Ints) -> Scratch:
     """Make working memory for one search at a time on this task; it can be used again."""
     fluents, links = t[FLUENTS], t[LINKS]
@@ -342,20 +343,31 @@ def scratch(t: Ints) -> Scratch:
     false = np.zeros(2 * fluents, np.uint8)
     false[:fluents] = 1
     spelled = np.zeros(fluents // 64 + 1, np.uint64)
-    return Scratch(np.zeros(3, np.int64), props, ops, edges, stack, false, spelled)
+    unmet = np.zeros(t[OPERATORS], np.int64)
+    s = Scratch(np.zeros(3, np.int64), props, ops, edges, stack, false, spelled, unmet)
+    for fluent in range(fluents):
+        _lack(t, s, fluent, 1)
+    return s
 
 
 @_compiled
-def _spell(fluents: int, row: Words, s: Scratch) -> None:
-    """Spell a state out in ``false``, where it differs from the one spelled before."""
+def _turn(t: Ints, s: Scratch, proposition: int) -> None:
+    """Make a proposition false that was true, or true that was false."""
+    s.false[proposition] ^= np.uint8(1)
+    _lack(t, s, proposition, 1 if s.false[proposition] else -1)
+
+
+@_compiled
+def _spell(t: Ints, s: Scratch, row: Words) -> None:
+    """Spell a state out where it differs from the one spelled before."""
     for word in range(len(row)):
         changed = row[word] ^ s.spelled[word]
         s.spelled[word] = row[word]
         fluent = word << 6
         while changed:
             if changed & np.uint64(1):
-                s.false[fluent] ^= np.uint8(1)
-                s.false[fluents + fluent] ^= np.uint8(1)
+                _turn(t, s, fluent)
+                _turn(t, s, t[FLUENTS] + fluent)
             changed >>= np.uint64(1)
             fluent += 1
 
@@ -528,7 +540,7 @@ def search(t: Ints, s: Scratch, start: Words, goal: Ints, limits: Ints) -> tuple
         seen = _with_room(seen, judged)
         seen.parents[judged], seen.via[judged] = parent, action
         seen.table[_place(seen.table, seen.rows, seen.rows[judged])] = judged
-        _spell(t[FLUENTS], seen.rows[judged], s)
+        _spell(t, s, seen.rows[judged])
         distance, count = _estimate(t, s, goal, chosen)
         if distance == 0:
             return SOLVED, _path(seen.parents, seen.via, judged)
