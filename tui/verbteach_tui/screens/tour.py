@@ -43,9 +43,9 @@ STOPS = (
     Stop(
         "",
         "Showing",
-        "While you show, lists offer what can be done; your steps and what they changed stand "
-        "below. Steps can be inserted, moved, taken away and run. d says that you are done, and "
-        "the robot reads back what it will keep: strike what does not matter.",
+        "Type the steps in your own words, or choose from the lists; your steps and what they "
+        "changed stand below. They can be inserted, moved, taken away and run. d says that you "
+        "are done, and the robot reads back what it will keep: strike what does not matter.",
     ),
     Stop(
         "dialogue",
