@@ -1,8 +1,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import compress
 
 import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
 
 from tests.verbs.test_pool import TOY, distinct, example, source
 from verbteach.verbs.examples import Memory
@@ -78,3 +81,18 @@ def test_held_things_are_read_in_both_domains_words() -> None:
         {grasped("b2"), Fluent("Grasping", ("Robot", "a")), Fluent("on", ("b1", "x"))}
     )
     assert held_things(state) == ("a", "b2")
+
+
+@given(st.permutations(sorted(stored("b1") | stored("b3"))))
+def test_the_rows_come_in_one_order_whatever_order_literals_turned_up_in(
+    literals: list[Literal],
+) -> None:
+    def told(known: list[Literal]) -> list[tuple[Goal, int]]:
+        wanted = [stored("b1"), stored("b3"), stored("b1") | stored("b3")]
+        bound = np.array([[one in goal for one in known] for goal in wanted])
+        now = handed(known, bound, ("b2",), lambda _: True)
+        added = now.bound[len(wanted) :].tolist()
+        goals = [frozenset(compress(now.literals, row)) for row in added]
+        return list(zip(goals, now.source.tolist(), strict=True))
+
+    assert told(literals) == told(sorted(literals))

@@ -89,10 +89,13 @@ def handed(
 
 
 def _let_go(literals: Sequence[Literal], held: Sequence[str]) -> list[tuple[int, str]]:
-    """The columns that say a thing is let go, of things that are not held."""
+    """The columns that say a thing is let go, of things that are not held.
+
+    In the literals' order, not the columns': those hang on what turned up before.
+    """
     return [
         (column, fluent.args[HOLDING[fluent.predicate]])
-        for column, (fluent, positive) in enumerate(literals)
+        for column, (fluent, positive) in sorted(enumerate(literals), key=lambda row: row[1])
         if not positive
         and fluent.predicate in HOLDING
         and fluent.args[HOLDING[fluent.predicate]] not in held
