@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import get_args
 
 import pytest
 
 from tests.docs.test_commands import documented_keys, keys
 from tests.scenarios.tell_me_dave_folder import OBJECTS, write_document
 from tests.tui.commandline import assert_refused, here
+from verbteach.experiments.interactive_training import LEARNERS
 from verbteach_scenarios.weights import load_weights
+from verbteach_tui.commands.train import LearnerName
 
 
 @pytest.fixture
@@ -22,7 +25,11 @@ def folder(tmp_path: Path) -> Path:
     return made
 
 
-@pytest.mark.parametrize("learner", ["lspi", "bayesian", "true-online", "sarsa"])
+def test_every_learner_can_be_named() -> None:
+    assert set(get_args(LearnerName)) == {"lspi", *LEARNERS}
+
+
+@pytest.mark.parametrize("learner", get_args(LearnerName))
 def test_a_small_one_is_trained_anew(learner: str, folder: Path, tmp_path: Path) -> None:
     out = tmp_path / "weights.json"
     words = ("--data", folder, "--episodes", 12, "--noise", "std3", "--learner", learner)

@@ -33,6 +33,9 @@ if TYPE_CHECKING:
     from verbteach_sessions.people.fitting import Material
     from verbteach_sessions.people.golds import LessonBook
 
+LearnerName = Literal["lspi", "bayesian", "true-online", "sarsa"]
+"""The learners there are to choose from, as `LEARNERS` has them, and the one that refits."""
+
 RATES = (0.6, 0.7, 0.8, 0.9)
 """Success rates that are looked at when calibrations are told."""
 
@@ -67,7 +70,7 @@ def train(
     ] = None,
     noise_reading: NoiseReading = None,
     learner: Annotated[
-        Literal["lspi", "bayesian", "true-online", "sarsa"] | None,
+        LearnerName | None,
         typer.Option(help="The learner (lspi)."),
     ] = None,
     episodes: Annotated[
