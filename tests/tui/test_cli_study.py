@@ -43,6 +43,17 @@ def test_a_study_that_does_not_fit_fails_the_check_with_lines(tmp_path: Path) ->
     assert_refused(here("teach", "--study", file), f"{file}:5", "study check")
 
 
+def test_noise_of_a_kind_that_is_nowhere_is_found_before_anybody_comes(tmp_path: Path) -> None:
+    noise = 'policy = "she16"\nnoise = "0.2,onn=perfect"'
+    file = study_file(tmp_path, SMALL.replace('policy = "she16"', noise))
+    (problem,) = here("study", "check", file, "--json").document["problems"]
+    assert problem["line"] == 27
+    assert "'onn'" in problem["message"]
+    assert_refused(here("teach", "--study", file), f"{file}:27", "onn")
+    file.write_text(file.read_text().replace("onn=", "on="))
+    assert here("study", "check", file).status == 0
+
+
 def test_a_participant_by_the_command_line_status_and_answers(tmp_path: Path) -> None:
     file, records = study_file(tmp_path), tmp_path / "records"
     words = ("--study", file, "--sessions", records, "--participant", "pppp")

@@ -8,7 +8,7 @@ when a session is opened, so that the home screen appears at once.
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -92,6 +92,12 @@ class Beginning:
         from verbteach_scenarios.scenes import scene_ids
 
         return scene_ids(self.scenes)
+
+    def fluent_kinds(self) -> Collection[str]:
+        """The kinds of fluents there are to see. Raises ``WorldFileError``."""
+        from verbteach_scenarios.scenes import load_domain
+
+        return load_domain(self.scenes).predicates
 
     @cached_property
     def method(self) -> Method:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 from verbteach.perception.noise import READINGS, NoiseModel
 from verbteach_sessions.method import POLICIES
@@ -30,20 +30,32 @@ from verbteach_sessions.study.weights_beside import LEARNED, WeightsBeside
 _NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
 _PLACE = re.compile(r"\s*\((?:at line (\d+), column \d+|at end of document)\)$")
 MOST_MINUTES = 24 * 60.0
+Kinds: TypeAlias = Callable[[], Collection[str]]
+"""The kinds of fluents there are to see; asked for only where noise names some."""
 
 
-def read_study(path: Path, scenes: Collection[str], kept: Mapping[str, str] | None = None) -> Study:
+def read_study(
+    path: Path,
+    scenes: Collection[str],
+    kept: Mapping[str, str] | None = None,
+    kinds: Kinds | None = None,
+) -> Study:
     """The study in the file ``path``, whose scenes are among ``scenes``.
 
-    ``kept``, for a copy that was made when somebody began: the hashes of the
-    weights by condition, copies of which lie beside it. Raises
-    :class:`StudyFileError` with all that does not fit, and ``OSError``.
+    With ``kinds`` noise of other kinds of fluents is a misfit. ``kept``, for a
+    copy that was made when somebody began: the hashes of the weights by
+    condition, copies of which lie beside it. Raises :class:`StudyFileError`
+    with all that does not fit, and ``OSError``.
     """
-    return parse_study(path.read_bytes(), path, scenes, kept)
+    return parse_study(path.read_bytes(), path, scenes, kept, kinds)
 
 
 def parse_study(
-    raw: bytes, path: Path, scenes: Collection[str], kept: Mapping[str, str] | None = None
+    raw: bytes,
+    path: Path,
+    scenes: Collection[str],
+    kept: Mapping[str, str] | None = None,
+    kinds: Kinds | None = None,
 ) -> Study:
     """The study that ``raw`` says; beside ``path`` lie the files it names.
 
@@ -57,7 +69,7 @@ def parse_study(
     notes = Notes(lines_of(text))
     beside = WeightsBeside(path.parent, kept)
     table = Table(_parsed(text, path), (), notes)
-    study = _study(table, scenes, sha256(raw).hexdigest(), beside)
+    study = _study(table, scenes, sha256(raw).hexdigest(), beside, kinds)
     if notes.problems:
         raise StudyFileError(path, notes.problems)
     return study
@@ -73,10 +85,16 @@ def _parsed(text: str, path: Path) -> dict[str, Any]:
         raise StudyFileError(path, [problem]) from None
 
 
-def _study(file: Table, scenes: Collection[str], file_hash: str, beside: WeightsBeside) -> Study:
+def _study(
+    file: Table,
+    scenes: Collection[str],
+    file_hash: str,
+    beside: WeightsBeside,
+    kinds: Kinds | None,
+) -> Study:
     head = file.table("study")
     design = head.choice("design", DESIGNS, DESIGNS[0])
-    conditions = tuple(_condition(one, beside) for one in file.tables("condition"))
+    conditions = tuple(_condition(one, beside, kinds) for one in file.tables("condition"))
     _check_ids(file, "condition", [one.id for one in conditions])
     if not conditions:
         file.fail("condition", "there is none: write at least one [[condition]] with its id")
@@ -102,13 +120,13 @@ def _study(file: Table, scenes: Collection[str], file_hash: str, beside: Weights
     return study
 
 
-def _condition(table: Table, beside: WeightsBeside) -> Condition:
+def _condition(table: Table, beside: WeightsBeside, kinds: Kinds | None) -> Condition:
     panels = table.words("panels", PANELS, PANELS)
     weights, freeze = table.text("weights", ""), table.flag("freeze", False)
     condition = Condition(
         id=_name(table, "id"),
         policy=table.choice("policy", POLICIES),
-        noise=_noise(table),
+        noise=_noise(table, kinds),
         noise_reading=table.choice("noise_reading", READINGS, "literal"),
         panels=tuple(panel for panel in PANELS if panel in panels),
         weights=weights,
@@ -122,10 +140,12 @@ def _condition(table: Table, beside: WeightsBeside) -> Condition:
     return condition
 
 
-def _noise(table: Table) -> str:
+def _noise(table: Table, kinds: Kinds | None) -> str:
     noise = table.text("noise", "perfect")
     try:
-        NoiseModel.named(noise)
+        model = NoiseModel.named(noise)
+        if model.spreads and kinds is not None:
+            model.check_kinds(kinds())
     except ValueError as error:
         table.fail("noise", str(error))
     return noise

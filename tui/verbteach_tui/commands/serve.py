@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ipaddress
-from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated
@@ -45,7 +44,6 @@ def serve(
         raise WrongUseError("serving needs the extra verbteach[web], which is not installed")
     if tokens is None and not is_local(host):
         raise WrongUseError(f"--host {host}: others can reach that, so --tokens is needed")
-    from verbteach_scenarios.scenes import scene_ids
     from verbteach_sessions.catalogue import default_folder
     from verbteach_tui.installation import is_writable
     from verbteach_tui.web.server import VisitorServer
@@ -59,7 +57,7 @@ def serve(
     folder = (sessions or default_folder()).absolute()
     if not is_writable(folder):
         raise WrongUseError(f"{folder}: sessions cannot be kept there")
-    title = _title(study, scene_ids(scenes))
+    title = _title(study, scenes)
     door = Door(folder, None if tokens is None else read_tokens(tokens))
     visits = Visits(folder, _absolute(study), _absolute(scenes), theme)
     port = port or _free_port(host)
@@ -82,13 +80,13 @@ def _absolute(path: Path | None) -> Path | None:
     return None if path is None else path.absolute()
 
 
-def _title(study: Path | None, scenes: Sequence[str]) -> str:
+def _title(study: Path | None, scenes: Path | None) -> str:
     """The study's title; its file is checked before anybody comes. Raises ``StudyFileError``."""
     if study is None:
         return TITLE
-    from verbteach_sessions.study.study_file import read_study
+    from verbteach_tui.commands.study import read
 
-    return read_study(study, scenes).title
+    return read(study, scenes).title
 
 
 def _free_port(host: str) -> int:

@@ -24,7 +24,7 @@ def check(file: StudyFile, scenes: ScenesFolder = None, as_json: JsonFlag = Fals
     from verbteach_sessions.study.errors import StudyFileError
 
     try:
-        study = _read(file, scenes)
+        study = read(file, scenes)
     except StudyFileError as error:
         problems = [one._asdict() for one in error.problems]
         if as_json:
@@ -36,7 +36,8 @@ def check(file: StudyFile, scenes: ScenesFolder = None, as_json: JsonFlag = Fals
     if as_json:
         emit({"valid": True, "problems": [], "study": _shape(study)})
     else:
-        tell(columns([(name, _listed(value)) for name, value in _shape(study).items()]))
+        shape = _shape(study).items()
+        tell(columns([(name, _listed(value)) for name, value in shape if value != []]))
 
 
 def new(
@@ -72,7 +73,7 @@ def status(
     """Say which participant is where, and how evenly the conditions have come about."""
     from verbteach_sessions.study.status import status_of
 
-    study, folder = _read(file, scenes), _folder(sessions)
+    study, folder = read(file, scenes), _folder(sessions)
     found = status_of(study, folder)
     if as_json:
         emit({"study": study.id, "folder": str(folder), **found.to_json()})
@@ -125,11 +126,12 @@ def tokens(
         tell(f"{len(made)} tokens: {file}; keep it to yourself, give each person one line")
 
 
-def _read(file: Path, scenes: Path | None) -> Study:
-    from verbteach_scenarios.scenes import scene_ids
+def read(file: Path, scenes: Path | None) -> Study:
+    """The study in ``file``, checked as a whole. Raises ``StudyFileError``."""
+    from verbteach_scenarios.scenes import load_domain, scene_ids
     from verbteach_sessions.study.study_file import read_study
 
-    return read_study(file, scene_ids(scenes))
+    return read_study(file, scene_ids(scenes), kinds=lambda: load_domain(scenes).predicates)
 
 
 def _folder(sessions: Path | None) -> Path:

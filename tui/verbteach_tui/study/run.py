@@ -56,7 +56,7 @@ class StudyRun:
         ``OSError``, and what ``Visit.come_back`` raises.
         """
         source = file.read_bytes()
-        study = parse_study(source, file, beginning.scene_ids())
+        study = parse_study(source, file, beginning.scene_ids(), kinds=beginning.fluent_kinds)
         run = cls(study, source, folder or beginning.folder, code or new_code(), beginning)
         if code is not None and has_enrolled(run.folder, code):
             run.visit = Visit.come_back(
