@@ -164,3 +164,10 @@ def test_serving_to_others_needs_tokens(tmp_path: Path) -> None:
     assert [
         is_local(h) for h in ("127.0.0.1", "::1", "localhost", "192.168.0.1", "example.org")
     ] == [*(True, True, True, False, False)]
+
+
+def test_who_pauses_is_told_how_to_come_back_to_the_same_records(tmp_path: Path) -> None:
+    file, records = study_file(tmp_path), tmp_path / "my records"
+    words = ("--study", file, "--sessions", records, "--participant", "pppp")
+    ran = here("teach", *words, typed="yes\nquit\n")
+    assert f"--participant pppp --sessions '{records}'" in ran.out

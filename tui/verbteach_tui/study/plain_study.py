@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from pathlib import Path
+from shlex import quote
 
 from verbteach_sessions.study.questionnaire import Question, Scale, read_rating
 from verbteach_sessions.study.steps import Kind
@@ -129,7 +131,8 @@ class StudyTalk:
         if self._run.visit is None:
             return [words.REFUSED]
         self._quit()
-        back = words.BACK.format(file=self._file, code=self._run.code)
+        where = _where(self._run.folder)
+        back = words.BACK.format(file=self._file, code=self._run.code, where=where)
         return [words.PAUSED, words.CODE.format(code=self._run.code), back]
 
     def _quit(self) -> None:
@@ -189,3 +192,10 @@ def _answer(item: Scale | Question, word: str) -> int | str:
 
 def _lines(text: str) -> list[str]:
     return [visible(line) for line in text.splitlines() if line.strip()]
+
+
+def _where(folder: Path) -> str:
+    """What to add so that the records are found again: in another folder the code begins anew."""
+    from verbteach_sessions.catalogue import default_folder
+
+    return "" if folder == default_folder() else f" --sessions {quote(str(folder))}"

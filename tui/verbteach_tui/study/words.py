@@ -9,7 +9,7 @@ from verbteach_sessions.study.stopping import LESSONS, MASTERY, MINUTES, TASKS
 ASK_CONSENT = "Do you agree to take part?"
 REFUSED = "You do not take part. Nothing has been kept."
 CODE = "Your code is {code}. With it you can come back, and later have your record deleted."
-BACK = "To come back: verbteach teach --study {file} --participant {code}"
+BACK = "To come back: verbteach teach --study {file} --participant {code}{where}"
 PAUSED = "Paused. Everything is kept; you go on where you are now."
 PRACTICE = "Practice: what the robot learns now is forgotten afterwards."
 STOP_ASKED = (
