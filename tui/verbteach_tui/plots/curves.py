@@ -13,8 +13,12 @@ COLOURS: Mapping[str, str] = {
     "random": "#999999",
     "she16": "#cc79a7",
     "she16-all": "#d55e00",
+    "lspi": "#0072b2",
+    "bayesian": "#56b4e9",
+    "true-online": "#cc79a7",
+    "sarsa": "#d55e00",
 }
-"""A colour a policy, told apart with any colour vision (Okabe & Ito)."""
+"""A colour a policy or learner, told apart with any colour vision (Okabe & Ito)."""
 
 MARKERS: Mapping[str, str] = {
     "rl": "o",
@@ -23,6 +27,10 @@ MARKERS: Mapping[str, str] = {
     "random": "x",
     "she16": "D",
     "she16-all": "v",
+    "lspi": "o",
+    "bayesian": "P",
+    "true-online": "D",
+    "sarsa": "v",
 }
 
 
