@@ -13,12 +13,10 @@ import json
 import statistics
 import sys
 from collections.abc import Iterator, Mapping, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import product
 from pathlib import Path
 from typing import NamedTuple
-
-from joblib import Parallel, delayed
 
 from verbteach.experiments.asked_command import AskedCommand
 from verbteach.experiments.interactive import hold, judged
@@ -30,6 +28,7 @@ from verbteach_scenarios import grounds
 from verbteach_scenarios.benches import bench_of
 from verbteach_tui.plots.curves import Chart, Line, Point
 from verbteach_tui.plots.files import draw
+from verbteach_tui.workers import Workers
 
 sys.path.insert(0, str(Path(__file__).parent.parent))
 
@@ -60,8 +59,8 @@ class Tested(NamedTuple):
     asked: float
 
 
-def tested(folder: Path, noise: str, training: Training) -> Tested:
-    """Train, and test in every second environment."""
+def tested(folder: Path, noise: str, training: Training) -> tuple[Training, Tested]:
+    """Train, and test in every second environment; both are told, for they come in any order."""
     bench, rule = _bench(folder), training.learner in RULES
     learner = "lspi" if rule else training.learner
     how = TrainingParameters(learner=learner, dialogues=training.dialogues, price=training.price)
@@ -83,7 +82,8 @@ def tested(folder: Path, noise: str, training: Training) -> Tested:
         training=how,
     )
     run(bench, config, witness=seen)
-    return Tested(*(statistics.fmean(column) for column in zip(*found, strict=True)))
+    means = (statistics.fmean(column) for column in zip(*found, strict=True))
+    return training, Tested(*means)
 
 
 @lru_cache(maxsize=1)
@@ -159,9 +159,8 @@ def main() -> None:
     asked = arguments.parse_args()
     rows = _read(asked.rows)
     left = [one for one in trainings(asked.runs) if one not in rows]
-    jobs = Parallel(n_jobs=asked.jobs, return_as="generator")
-    work = (delayed(tested)(asked.data, asked.noise, one) for one in left)
-    for training, found in zip(left, jobs(work), strict=True):
+    work = partial(tested, asked.data, asked.noise)
+    for training, found in Workers(asked.jobs)(work, left):
         rows[training] = found
         with asked.rows.open("a", encoding="utf-8") as out:
             out.write(json.dumps([training, found]) + "\n")
@@ -174,4 +173,7 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    # By its name other processes find it, and keep their bench.
+    from docs import learners
+
+    learners.main()

@@ -7,14 +7,12 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any, TypeVar
 
 from verbteach_tui.conclusion import WrongUseError
 
-if TYPE_CHECKING:
-    from verbteach.experiments.reproduction.rows import Row
-    from verbteach.experiments.reproduction.task import Task
-
+Task = TypeVar("Task")
+Row = TypeVar("Row")
 _THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
 
