@@ -81,7 +81,8 @@ def train(
         typer.Option(
             min=0,
             metavar="N",
-            help="Lessons to calibrate promises on, in rooms set apart (all there; 0: none).",
+            help="Lessons to calibrate promises on, in rooms set apart (all there, which takes"
+            " minutes; 0: none).",
         ),
     ] = None,
     weights: Annotated[
