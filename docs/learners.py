@@ -110,8 +110,10 @@ def chart(rows: Rows, price: float, noise: str) -> Chart:
         found = _of(rows, rule, 0, price)
         lines.append(_line(rule, [(n, found) for n in (DIALOGUES[0], DIALOGUES[-1])]))
     times = "the paper's prices" if price == 1.0 else f"questions {price:g} times as dear"
-    title = f"What is earned in rooms not learned in, {noise}, {times}"
-    return Chart(title, "dialogues in training", "mean return of a command", tuple(lines), {})
+    title = f"Earned in rooms not learned in ({noise}, {times})"
+    lowest = min(point.low for line in lines for point in line.points)
+    axes = ("dialogues in training", "mean return of a command")
+    return Chart(title, *axes, tuple(lines), {}, bottom=5.0 * (lowest // 5.0))
 
 
 def _of(rows: Rows, name: str, dialogues: int, price: float) -> list[Tested]:

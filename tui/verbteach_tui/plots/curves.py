@@ -54,13 +54,17 @@ class Line:
 
 @dataclass(frozen=True)
 class Chart:
-    """Curves with what stands at the axes; ``marks`` are single points, by policy."""
+    """Curves with what stands at the axes; ``marks`` are single points, by policy.
+
+    ``bottom`` is where the axis upwards begins in a picture.
+    """
 
     title: str
     across: str
     up: str
     lines: tuple[Line, ...]
     marks: Mapping[str, Point]
+    bottom: float = 0.0
 
     @property
     def points(self) -> tuple[Point, ...]:

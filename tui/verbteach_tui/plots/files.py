@@ -38,7 +38,7 @@ def _plot(chart: Chart, axes: Axes) -> None:
     axes.set_title(chart.title)
     axes.set_xlabel(chart.across)
     axes.set_ylabel(chart.up)
-    axes.set_ylim(bottom=0)
+    axes.set_ylim(bottom=chart.bottom)
     axes.grid(alpha=0.25)
     axes.spines[["top", "right"]].set_visible(False)
     axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
