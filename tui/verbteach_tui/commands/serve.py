@@ -44,6 +44,7 @@ def serve(
         raise WrongUseError("serving needs the extra verbteach[web], which is not installed")
     if tokens is None and not is_local(host):
         raise WrongUseError(f"--host {host}: others can reach that, so --tokens is needed")
+    from verbteach_scenarios.scenes import scene_ids
     from verbteach_sessions.catalogue import default_folder
     from verbteach_tui.installation import is_writable
     from verbteach_tui.web.server import VisitorServer
@@ -57,6 +58,7 @@ def serve(
     folder = (sessions or default_folder()).absolute()
     if not is_writable(folder):
         raise WrongUseError(f"{folder}: sessions cannot be kept there")
+    scene_ids(scenes)  # Whoever comes would find no scene where there is no such folder.
     title = _title(study, scenes)
     door = Door(folder, None if tokens is None else read_tokens(tokens))
     visits = Visits(folder, _absolute(study), _absolute(scenes), theme)
