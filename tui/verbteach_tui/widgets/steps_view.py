@@ -165,8 +165,9 @@ class StepsView(RowsView):
 
     def _draw_steps(self) -> None:
         self.show(self._drawn)
-        if self._starts:
-            self.reveal(self._starts[max(self._cursor, 0)])
+        at = max(self._cursor, 0)
+        if at < len(self._starts):  # Out of sight nothing is drawn: these are of fewer steps.
+            self.reveal(self._starts[at])
 
     def _drawn(self, width: int) -> Sequence[Row]:
         rows: list[Row] = []
