@@ -25,6 +25,7 @@ from verbteach.dialogue.acts import (
     Yes,
 )
 from verbteach.dialogue.asking import settled_in_bulk
+from verbteach.dialogue.choosing import find_objects
 from verbteach.dialogue.contradictions import (
     CONTRADICTORY,
     contradiction,
@@ -35,7 +36,7 @@ from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.grounding import GroundingBelief
 from verbteach.dialogue.moves import Phase
 from verbteach.dialogue.state import Exchange
-from verbteach.dialogue.understanding import Reply, find_objects, read_reply
+from verbteach.dialogue.understanding import Reply, read_reply
 
 
 @dataclass(frozen=True)
@@ -77,12 +78,22 @@ def read_answer(draft: Draft, act: TeacherAct) -> Answer:
 
 def _read_words(draft: Draft, reply: Reply) -> Answer:
     question = draft.episode.question
-    if not isinstance(question, NpGrdWhq | NpGrdYnq) or not reply.rest:
+    if not isinstance(question, NpGrdWhq | NpGrdYnq):
+        if reply.reserved:
+            return Answer(problem=_RESERVED)
+        return Answer(reply.label, problem="" if reply.label else reply.problem)
+    if not reply.rest:
         return Answer(reply.label, problem="" if reply.label else reply.problem)
     found = find_objects(draft, question.np, reply.rest)
     if found.objects:
         return Answer(reply.label, found.objects)
-    return Answer(reply.label, problem="" if reply.label else found.problem)
+    if reply.reserved:
+        return Answer(problem=_RESERVED)
+    label = reply.label or found.label
+    return Answer(label, problem="" if label else found.problem or reply.problem)
+
+
+_RESERVED = "Is that a yes or a no, just as I asked it? I can take in nothing beside it."
 
 
 def settle(draft: Draft, answer: Answer) -> bool:

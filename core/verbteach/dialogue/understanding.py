@@ -43,19 +43,15 @@ class CommandReading:
 
 @dataclass(frozen=True)
 class Reply:
-    """An answer's label (yes, no, unsure or empty), what else was said, and what is unclear."""
+    """An answer's label (yes, no, unsure or empty), what else was said, and what is unclear.
+
+    ``reserved``: a yes with something against it or beside it.
+    """
 
     label: str
     rest: str = ""
     problem: str = ""
-
-
-@dataclass(frozen=True)
-class Found:
-    """Objects that words may mean, weighted; where there are none, the problem."""
-
-    objects: Candidates = ()
-    problem: str = ""
+    reserved: bool = False
 
 
 def read_command(draft: Draft, text: str, *, as_said: bool = False) -> CommandReading:
@@ -133,24 +129,24 @@ def attached(draft: Draft, frame: VerbFrame) -> VerbFrame:
     return attach(frame, looks_now(draft), [thing for _, thing in draft.state.spoken])
 
 
-def read_reply(text: str) -> Reply:
+def read_reply(text: str, *, verdict: bool = False) -> Reply:
     """Read yes, no, don't know and what else was said."""
-    reading = read_answer(text)
+    reading = read_answer(text, verdict=verdict)
     if reading.label is not None:
-        return Reply(reading.label.value, reading.rest)
+        return Reply(reading.label.value, reading.rest, reserved=reading.reserved)
     if reading.contradictory:
         return Reply("", "", "Is that a yes or a no? I heard both.")
     talk = small_talk(text)
     if talk in _PASSING:
         return Reply("unsure")
-    if talk is Talk.HELP:
-        return Reply("", "", "To hear why I ask, say why. You can also skip the question.")
+    if talk is not None and talk in _ANSWERED:
+        return Reply("", "", _ANSWERED[talk])
     return Reply("", reading.rest, "I did not understand that. Is it yes, no, or don't you know?")
 
 
 def read_verdict(text: str) -> Reply:
     """Read yes, no or skip as a verdict on what was done or read back; else no label."""
-    reply = read_reply(text)
+    reply = read_reply(text, verdict=True)
     if reply.label == "unsure":
         return Reply("skip" if small_talk(text) in _PASSING else "")
     return reply
@@ -214,37 +210,6 @@ def _experienced(draft: Draft, phrase: str, found: Candidates) -> dict[str, floa
     return {thing: fit + experience.get((phrase, thing), 0) for thing, fit in found}
 
 
-def find_objects(draft: Draft, phrase: str, text: str) -> Found:
-    """Objects that an answer's words mean, among the question's candidates if any of them fit."""
-    told = read_noun_phrase(draft, text)
-    if told is None:
-        return Found((), "I did not understand that. Name the thing, or point at it.")
-    current = [thing for thing, _ in draft.episode.grounding[phrase]]
-    spoken = [*(thing for _, thing in draft.state.spoken), *current[:1]]
-    found = refer(told, looks_now(draft), spoken, listed=current)
-    among = tuple(row for row in found if row[0] in current)
-    points_back = told.head == "one" and bool(current)
-    if among or (found and not points_back):
-        return Found(among or found)
-    near = _respelled(draft, told)
-    offer = f' Did you mean "{near}"?' if near else ""
-    return Found((), f'I see nothing here that I would call "{text}".{offer}')
-
-
-def _respelled(draft: Draft, told: NounPhrase) -> str:
-    """The noun, or what describes it, as it may have been meant; empty where all is known."""
-    setting, looks = draft.mind.setting, looks_now(draft)
-    if told.head != "one" and (near := suggest(told.head, setting.vocabulary)):
-        return near[0]
-    marks = {mark for thing in looks.objects for mark in looks.names.lasting_marks(thing)}
-    words = {mark for mark in marks if mark.isalpha()}
-    for word in told.modifiers:
-        near = () if word in words else suggest(word, words)
-        if near:
-            return told.text.replace(word, near[0], 1)
-    return ""
-
-
 def read_noun_phrase(draft: Draft, text: str) -> NounPhrase | None:
     """Read a bare noun phrase: as the object of a verb that takes any."""
     setting = draft.mind.setting
@@ -275,6 +240,14 @@ _UNREAD: Mapping[Unread, str] = {
     Unread.NO_VERB: "I find no verb in that. Tell me what to do with what, as in: {example}.",
 }
 _PASSING = frozenset({Talk.GIVE_UP, Talk.ABSENT})
+_ANSWERED: Mapping[Talk, str] = {
+    Talk.HELP: "To hear why I ask, say why. You can also skip the question.",
+    Talk.REPEAT: "Once more:",
+    Talk.WAIT: "I am waiting.",
+    Talk.BACK: "To take back what you said last, say undo.",
+    Talk.LEAVE: "To leave, say quit; you can go on later.",
+    Talk.SHOW: "To show me yourself, say show.",
+}
 _NONSENSE = "I know none of these words. Say it in other words, as in: {example}."
 _NOTHING = "There is nothing that I am asking or doing. "
 _NEXT = "Tell me what to do, as in: {example}."

@@ -5,6 +5,7 @@ Only a whole utterance is one of these: "stop" is, "stop the microwave" is a com
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from enum import Enum
 
 from verbteach.language.tokens import COMMA, STOP, spelled_out, tokenise
@@ -22,6 +23,9 @@ class Talk(Enum):
     GREETING = "greeting"
     REPLY = "reply"
     LEAVE = "leave"
+    REPEAT = "repeat"
+    SHOW = "show"
+    WAIT = "wait"
 
 
 _SAID = {
@@ -32,27 +36,48 @@ _SAID = {
         what does that mean, what is going on, how, how do i do that, how do i do this,
         how do i teach you, how does this work, how do i show you, i do not understand,
         i do not get it, i need help, huh, eh, excuse me, sorry, pardon, where am i, who are you,
-        i am lost, i am stuck
+        i am lost, i am stuck, let us start, let us begin, let us go, start, begin,
+        are you ready, come on, go ahead, you do it, do it yourself, do it,
+        you know that, you know that already, you already know that, see, you see, got it,
+        did you get that, understood, did you understand, what can you do for me, what do you want,
+        what are the steps, which steps are there, what are the options, i can not, please
     """,
     Talk.DONE: """
         done, i am done, that is it, that is all, that 's it, that 's all, finished, i am finished,
         all done, ready, it is done, that was it, that was all, the end, end, end of demonstration,
-        complete, completed, that is everything, i have finished, nothing more, no more steps
+        complete, completed, that is everything, i have finished, nothing more, no more steps,
+        no more, nothing else, finish, end it, that is how you do it, that 's how you do it,
+        that is how it is done, that 's how it 's done, that 's how it is done, that is how it
+        works,
+        like that, like this, your turn, now you, now you do it, it is your turn, stop here,
+        that should do it, that will do, i am finished now, that is all for today,
+        that 's all for today, that 's all folks, that is all for now, that 's all for now
     """,
     Talk.GIVE_UP: """
         skip, skip it, skip this, skip that, pass, never mind, nevermind, forget it, forget that,
         forget about it, cancel, cancel that, cancel it, abort, stop, stop it, stop that, give up,
-        i give up, leave it, enough, not now, next, next one, move on, nothing, later, no idea
+        i give up, leave it, enough, not now, next, next one, move on, nothing, later, no idea,
+        let it be, drop it, never mind that, stop this, stop now, stop asking, leave that,
+        no thanks, no thank you
     """,
     Talk.ABSENT: """
         none, there is none, none of them, none of these, none of those, neither, nowhere,
         not here, it is not here, it 's not here, there is not one, there is not any,
-        there are none, there is no such thing, i see none, it is not there, it does not exist
+        there are none, there is no such thing, i see none, it is not there, it does not exist,
+        i do not have one, i do not have any, we do not have one, we have none, i have none,
+        you can not see it, it is gone, it is somewhere else, it is in another room
     """,
     Talk.BACK: """
         undo, undo that, undo it, go back, back, wrong, that was wrong, that is wrong, oops, no,
         no not that, no not that one, not that one, not that, i made a mistake, take that back,
-        mistake, my mistake, start over, start again, restart, reset
+        mistake, my mistake, start over, start again, restart, reset, do not, do not do that,
+        do not do it, no do not, that was a mistake, that is a mistake, delete that, delete it,
+        scratch that, remove that, remove that step, remove the last step, delete that step,
+        delete the last step, take that step back, take back that step, take back the last step,
+        take the last step back, undo the last step, undo that step, undo everything, go back one,
+        go back a step, go back one step, one step back, step back, not like that, wrong step,
+        forget everything, forget what i taught you, forget what i showed you, forget what i said,
+        forget what you learned, forget all that, unlearn that, unlearn it
     """,
     Talk.GREETING: """
         hello, hi, hey, hello there, hi there, hey there, good morning, good day, good evening,
@@ -66,20 +91,69 @@ _SAID = {
     Talk.LEAVE: """
         how do i leave, how do i quit, how do i exit, how do i stop, how do i get out,
         quit, exit, bye, goodbye, good bye, leave, i want to leave, i want to stop, log out,
-        close the app, let me out, i am leaving
+        close the app, let me out, i am leaving, see you, see you later, goodbye for now,
+        i have to go, i need to go, i must go
+    """,
+    Talk.REPEAT: """
+        repeat, repeat that, repeat it, repeat the question, repeat yourself, say that again,
+        say it again, come again, what was that, what did you say, what did you ask, once more,
+        what was the question, i did not hear you, i did not hear that, i beg your pardon
+    """,
+    Talk.SHOW: """
+        show, let me show you, i will show you, i shall show you, i show you, i can show you,
+        i want to show you, i would like to show you, watch, watch me, watch this, look here,
+        let me show you again, i will show you again, show me again, i want to show you again,
+        let me do it, i will do it, let me demonstrate, i will demonstrate, let me teach you,
+        i will teach you, i want to teach you, let me show you how, i will show you how,
+        i want to show you how, let me try again, i will show you again, show again
+    """,
+    Talk.WAIT: """
+        wait a minute, wait a moment, wait a second, wait a sec, hold on, hang on, hold on a second,
+        hang on a second, hold on a minute, one moment, one minute, one second, just a moment,
+        just a minute, just a second, just a sec, a moment, give me a second, give me a moment,
+        give me a minute, let me think, let me see, no wait, hmm, hm, mm, wait please, please wait
     """,
 }
-_AROUND = frozenset({COMMA, STOP}) | word_set("please robot well oh um uh hm so and but now then")
+_AROUND = frozenset({COMMA, STOP}) | word_set(
+    "please robot well oh um uh hm so and but now then ok okay"
+)
 _TABLE = {words: kind for kind, text in reversed(_SAID.items()) for words in phrase_list(text)}
 
 
 def small_talk(text: str) -> Talk | None:
-    """What ``text`` says about the conversation; ``None`` where it is about something else."""
+    """What ``text`` says about the conversation; ``None`` where it is about something else.
+
+    Said twice it is the same: "that's it, done".
+    """
     tokens = tokenise(spelled_out(text))
-    whole = tuple(token for token in tokens if token not in {COMMA, STOP})
-    while tokens and tokens[0] in _AROUND:
-        tokens = tokens[1:]
-    while tokens and tokens[-1] in _AROUND:
-        tokens = tokens[:-1]
-    bare = tuple(token for token in tokens if token not in {COMMA, STOP})
-    return _TABLE.get(bare) or _TABLE.get(whole)
+    found = _kind(tokens)
+    if found is None:
+        parts = [part for part in _parts(tokens) if not set(part) <= _AROUND]
+        kinds = {_kind(part) for part in parts}
+        found = kinds.pop() if len(kinds) == 1 and len(parts) > 1 else None
+    return found
+
+
+def _kind(tokens: Sequence[str]) -> Talk | None:
+    """What the words say as a whole, with or without the small words around them."""
+    bare = list(tokens)
+    while bare and bare[0] in _AROUND:
+        bare = bare[1:]
+    while bare and bare[-1] in _AROUND:
+        bare = bare[:-1]
+    return _TABLE.get(_words(bare)) or _TABLE.get(_words(tokens))
+
+
+def _words(tokens: Sequence[str]) -> tuple[str, ...]:
+    return tuple(token for token in tokens if token not in {COMMA, STOP})
+
+
+def _parts(tokens: Sequence[str]) -> list[list[str]]:
+    """The words between commas and stops."""
+    parts: list[list[str]] = [[]]
+    for token in tokens:
+        if token in {COMMA, STOP}:
+            parts.append([])
+        else:
+            parts[-1].append(token)
+    return parts
