@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from pathlib import PurePosixPath
 
 from verbteach_sessions.exports.columns import SESSIONS, TURNS, Table
 from verbteach_sessions.exports.dialogue import Dialogue
+from verbteach_sessions.exports.front_matter import Written, front_matter
 from verbteach_sessions.exports.kinds import word
-
-Written = Mapping[str, Sequence[tuple[str, str]]]
 
 
 class Figures:
@@ -64,21 +63,8 @@ class Figures:
 
 def card(figures: Figures, written: Written) -> str:
     """The card as Markdown, led by the YAML that the hub reads."""
-    return "\n".join([*_front(written), *_about(figures), *_tables(written)]) + "\n"
-
-
-def _front(written: Written) -> Iterator[str]:
-    yield from ("---", "pretty_name: Teaching sessions with a household robot")
-    yield from ("language:", "- en", "tags:", "- dialogue", "- human-robot-interaction")
-    yield from ("- grounded-language", "- interactive-learning", "configs:")
-    for table, files in written.items():
-        yield f"- config_name: {table}"
-        if table == TURNS.name:
-            yield "  default: true"
-        yield "  data_files:"
-        for split, path in files:
-            yield from (f"  - split: {split}", f"    path: {path}")
-    yield from ("---", "")
+    front = front_matter(figures.turns, written)
+    return "\n".join([*front, *_about(figures), *_tables(written)]) + "\n"
 
 
 def _about(figures: Figures) -> Iterator[str]:
@@ -96,7 +82,7 @@ def _about(figures: Figures) -> Iterator[str]:
     yield from ("", "Times are seconds since a session began; no time of day is in the data.")
     yield "Participant codes are random and stand for nobody outside the records."
     yield from ("", "Before it is published: state who collected this, under what consent, and")
-    yield "under which licence it may be used."
+    yield "under which licence it may be used (`license` at the top of this file)."
 
 
 def _tables(written: Written) -> Iterator[str]:

@@ -28,12 +28,20 @@ class Step:
 
 @dataclass(frozen=True)
 class RlEpisode:
-    """The decisions under one command; ``closed`` unless the session left it unfinished."""
+    """The decisions under one command; ``closed`` unless the session left it unfinished.
 
-    session: str
-    command: int
+    ``about`` says where it comes from: session, command, participant, policy,
+    scene, and part of the corpus.
+    """
+
+    about: Mapping[str, Any]
     steps: tuple[Step, ...]
     closed: bool
+
+    @property
+    def command(self) -> int:
+        """Which of its session's commands it is, from 0."""
+        return int(self.about["command"])
 
 
 def episodes(dialogue: Dialogue) -> Iterator[RlEpisode]:
@@ -50,7 +58,18 @@ def episodes(dialogue: Dialogue) -> Iterator[RlEpisode]:
                 steps[-1] = replace(steps[-1], reward=steps[-1].reward + reward)
         if command is not None and steps:
             closed = any("close_episode" in turn.act_names for turn, _ in members)
-            yield RlEpisode(dialogue.id, command, tuple(steps), closed)
+            yield RlEpisode(_about(dialogue, members[0][0]), tuple(steps), closed)
+
+
+def _about(dialogue: Dialogue, turn: Turn) -> Mapping[str, Any]:
+    return {
+        "session": dialogue.id,
+        "command": turn.command,
+        "participant": dialogue.participant,
+        "policy": dialogue.policy,
+        "scene": turn.scene,
+        "split": dialogue.split,
+    }
 
 
 def _steps(turn: Turn) -> Iterator[Step]:

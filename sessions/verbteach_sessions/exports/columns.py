@@ -146,6 +146,12 @@ TURNS = Table(
     (
         Column("id", TEXT, "session and number, joined", lambda d, t: turn_id(d, t.number)),
         Column("session", TEXT, "the session's alias", lambda d, t: d.id),
+        Column(
+            "participant",
+            Maybe(TEXT),
+            "the random code of the person who teaches, in the robot's turns as well",
+            lambda d, t: d.participant,
+        ),
         Column("number", INTEGER, "place in the session, from 0", lambda d, t: t.number),
         Column("event", INTEGER, "number of the event in the record", lambda d, t: t.seq),
         Column("reply_to", Maybe(TEXT), "id of the turn it replies to", _reply),

@@ -14,20 +14,20 @@ from typing import Any
 from verbteach_sessions.exports.columns import session_row, turn_id, turn_rows
 from verbteach_sessions.exports.dialogue import ROBOT, TEACHER, Dialogue
 
-_NOT_META = frozenset({"id", "text", "at", "reply_to", "speaker", "texts"})
+_NOT_META = frozenset({"id", "text", "at", "reply_to", "speaker", "participant", "texts"})
 
 
 def write(dialogues: Iterable[Dialogue], folder: Path) -> None:
     """Write the five files."""
     index = _Index()
-    speakers: dict[str, dict[str, Any]] = {ROBOT: {"role": ROBOT, "participant": None}}
+    speakers: dict[str, dict[str, Any]] = {ROBOT: _speaker(ROBOT)}
     conversations = {}
     with (folder / "utterances.jsonl").open("w", encoding="ascii") as file:
         for dialogue in dialogues:
             about = {**session_row(dialogue), "totals": dict(dialogue.totals)}
             root = turn_id(dialogue, dialogue.turns[0].number)
             conversations[root] = index.noted("conversations", about)
-            speakers[dialogue.person] = {"role": TEACHER, "participant": dialogue.participant}
+            speakers[dialogue.person] = _speaker(TEACHER, dialogue.participant, dialogue.teacher)
             for utterance in _utterances(dialogue, root, index):
                 file.write(json.dumps(utterance, allow_nan=False) + "\n")
     for meta in speakers.values():
@@ -37,6 +37,13 @@ def write(dialogues: Iterable[Dialogue], folder: Path) -> None:
     _write(folder / "conversations.json", _with_vectors(conversations))
     _write(folder / "corpus.json", corpus)
     _write(folder / "index.json", index.document)
+
+
+def _speaker(
+    role: str, participant: str | None = None, teacher: str | None = None
+) -> dict[str, Any]:
+    """``teacher``: a person, or a program standing in for one; null for the robot."""
+    return {"role": role, "participant": participant, "teacher": teacher}
 
 
 def _utterances(dialogue: Dialogue, root: str, index: _Index) -> Iterable[dict[str, Any]]:

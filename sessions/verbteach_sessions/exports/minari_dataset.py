@@ -2,7 +2,8 @@
 
 An observation is the table of candidate acts: their features, and which act
 each is; rows beyond the candidates have the act -1. The action is the row
-chosen. ``infos`` hold the propensity and whether the choice explored.
+chosen. ``infos`` hold the propensity and whether the choice explored; an
+episode's ``options`` say whose it is and under which policy.
 """
 
 from __future__ import annotations
@@ -101,6 +102,7 @@ def _create(folder: Path, layout: _Layout, found: list[RlEpisode]) -> None:
             buffer=[_buffer(index, one, layout) for index, one in enumerate(found)],
             observation_space=Dict(spaces),
             action_space=Discrete(layout.rows),
+            algorithm_name=", ".join(sorted({one.about["policy"] for one in found})),
             description=layout.description,
             data_format="arrow",
         )
@@ -123,7 +125,7 @@ def _buffer(index: int, episode: RlEpisode, layout: _Layout) -> Any:
             "propensity": [*(step.propensity for step in steps), 1.0],
             "explored": [*(step.explored for step in steps), False],
         },
-        options={"session": episode.session, "command": episode.command},
+        options=dict(episode.about),
     )
 
 

@@ -69,6 +69,7 @@ def test_the_card_leads_with_what_the_hub_reads(
     jsonl_dataset.write(dialogues, tmp_path)
     text = (tmp_path / "README.md").read_text("utf-8")
     front = text.split("---\n")[1]
+    assert "license: unknown" in front
     paths = [line.split(": ", 1)[1] for line in front.splitlines() if "path: " in line]
     assert sorted(paths) == ["data/sessions-train.jsonl", "data/turns-train.jsonl"]
     assert all((tmp_path / path).is_file() for path in paths)
