@@ -26,7 +26,7 @@ from verbteach.language.corrections import Correction, read_correction
     ],
 )
 def test_what_was_meant_is_read(text: str, meant: str, wrong: str) -> None:
-    assert read_correction(text) == Correction(meant, wrong)
+    assert read_correction(text) == Correction(meant, wrong, " on the " in text)
 
 
 @pytest.mark.parametrize(

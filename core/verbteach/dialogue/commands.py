@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from verbteach.dialogue import execution
+from verbteach.dialogue import enquiries, execution
 from verbteach.dialogue.acts import AskRephrase, AwaitCommand, StartClause
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.moves import Phase
@@ -13,7 +13,11 @@ from verbteach.dialogue.understanding import (
     read_command,
     read_reply,
 )
+from verbteach.language.ellipsis import read_ellipsis
 from verbteach.language.frames import VerbFrame
+from verbteach.language.tokens import tokenise
+
+_SEQUENCE = frozenset({"now", "then", "next", "please", "and", ",", ".", "so", "also"})
 
 
 def hear(draft: Draft, text: str) -> None:
@@ -37,22 +41,35 @@ def hear(draft: Draft, text: str) -> None:
 
 
 def _consider(draft: Draft, text: str, reading: CommandReading) -> None:
-    """Take up what was read, or ask where nothing was or the second reader reads it otherwise."""
+    """Take up what was read, or ask where nothing was or it may not be meant like this."""
     if not reading.frames:
         draft.remember(suggested=reading.suggestion, heard=text if reading.suggestion else "")
-        draft.wait(AskRephrase(reading.problem), Phase.COMMAND)
-    elif reading.disputed:
-        _offer(draft, reading.frames)
+        said = enquiries.answer(draft, text) if reading.asks else ""
+        draft.wait(AskRephrase(said or reading.problem), Phase.COMMAND)
+    elif reading.disputed or reading.question:
+        _offer(draft, reading.frames, reading.question)
     else:
         _take_up(draft, reading.frames)
 
 
-def _offer(draft: Draft, frames: tuple[VerbFrame, ...]) -> None:
+def _offer(draft: Draft, frames: tuple[VerbFrame, ...], question: str) -> None:
     """Ask whether the robot's own reading is what the teacher means."""
     said = ", then ".join(clause_text(frame) for frame in frames)
     draft.remember(suggested=said, offered=frames)
-    question = f"I read that as: {said}. Is that what you mean?"
-    draft.wait(AskRephrase(question), Phase.COMMAND)
+    asked = question or f"I read that as: {said}. Is that what you mean?"
+    draft.wait(AskRephrase(asked), Phase.COMMAND)
+
+
+def put_behind(draft: Draft, text: str) -> bool:
+    """Keep a command that was said behind a yes until its turn; whether it is one."""
+    reading = read_command(draft, text) if text else None
+    if reading is None or not reading.frames or reading.disputed or reading.question:
+        return False
+    words = [word for word in tokenise(text) if word not in _SEQUENCE]
+    if read_ellipsis(text) is None and words[:1] != [reading.frames[0].verb.split(" ")[0]]:
+        return False
+    draft.remember(clauses=(*draft.state.clauses, *reading.frames))
+    return True
 
 
 def _take_up(draft: Draft, frames: tuple[VerbFrame, ...]) -> None:
@@ -68,7 +85,7 @@ def go_on(draft: Draft) -> None:
         return
     frame, *rest = draft.state.clauses
     several = rest or draft.acts
-    draft.remember(clauses=tuple(rest))
+    draft.remember(clauses=tuple(rest), latest=frame)
     if several:
         draft.say(StartClause(clause_text(frame)))
     execution.begin(draft, clause_text(frame), attached(draft, frame))

@@ -6,15 +6,18 @@ robot chose itself because its goal needed a thing of that kind.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 from typing import NamedTuple
 
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.understanding import fitting_objects, looks_now, read_noun_phrase
+from verbteach.language.assembly import OBJECT
 from verbteach.language.corrections import Correction
-from verbteach.language.frames import NounPhrase
+from verbteach.language.frames import PRONOUNS, NounPhrase
 from verbteach.language.looks import Looks
 from verbteach.language.refer import Candidates, refer
+from verbteach.language.words import PREPOSITIONS
 from verbteach.world.fluents import Fluent, Goal, Literal
 
 
@@ -38,7 +41,7 @@ def another_reference(draft: Draft, correction: Correction) -> tuple[str, Candid
     for argument in draft.episode.frame.arguments:
         phrase = argument.phrase.text
         was = draft.episode.grounding.best(phrase)
-        found = refer(told, looks, [was] if was else [])
+        found = _best(refer(told, looks, [was] if was else []))
         others = [
             row for row in found if row[0] != was and _alike(looks, phrase, was, row[0], told)
         ]
@@ -49,17 +52,55 @@ def another_reference(draft: Draft, correction: Correction) -> tuple[str, Candid
     return None
 
 
-def another_thing(draft: Draft, correction: Correction) -> Exchanged | None:
+def another_noun(draft: Draft, correction: Correction) -> tuple[str, Candidates] | None:
+    """The command's only phrase that could be meant, about a thing of another name.
+
+    "No, the microwave" after "open the fridge". ``None`` where it could be said of
+    several phrases, or of none.
+    """
+    told, looks = _told(draft, correction.meant), looks_now(draft)
+    elsewhere = correction.meant.split()[0] in PREPOSITIONS  # "no, from the table"
+    if told is None or told.head in PRONOUNS or elsewhere:
+        return None
+    found = tuple(row for row in _best(refer(told, looks)) if looks.is_thing(row[0]))
+    called = _called(draft, correction.wrong, looks)
+    best = draft.episode.grounding.best
+    arguments = [
+        argument.phrase.text
+        for argument in draft.episode.frame.arguments
+        if (argument.role != OBJECT) == correction.place
+        and (was := best(argument.phrase.text)) is not None
+        and looks.is_thing(was)
+        and (was in called if called else not _same_name(looks, was, found))
+    ]
+    return (arguments[0], found) if found and len(arguments) == 1 else None
+
+
+def _same_name(looks: Looks, was: str, found: Candidates) -> bool:
+    """Whether it is what the words name already: "no, the fridge" corrects nothing then."""
+    return any(thing == was for thing, _ in found)
+
+
+def _best(found: Candidates) -> Candidates:
+    """Those that the words fit best: "the glass" is no mug where there is a glass."""
+    return tuple(row for row in found if row[1] == found[0][1])
+
+
+def other_things(draft: Draft, correction: Correction) -> tuple[Exchanged, ...]:
     """The executed goal about another thing that nobody had named: "no, the back burner".
 
-    ``None`` where the words mean no thing that could stand in for one of the
-    goal's, or do not settle which for which.
+    Empty where the words mean no thing that could stand in for one of the
+    goal's; several where they do not settle which for which.
     """
     told, execution = _told(draft, correction.meant), draft.episode.execution
     if told is None or execution is None:
-        return None
-    exchanges = list(_exchanges(draft, execution.goal, told, correction.wrong))
-    return exchanges[0] if len(exchanges) == 1 else None
+        return ()
+    found = tuple(_exchanges(draft, execution.goal, told, correction.wrong))
+    if not _is_the_other(told):
+        return found
+    counts = Counter(exchange.was for exchange in found)
+    of_two = tuple(exchange for exchange in found if counts[exchange.was] == 1)
+    return of_two if len(of_two) == 1 else found
 
 
 def _exchanges(draft: Draft, goal: Goal, told: NounPhrase, wrong: str) -> Iterator[Exchanged]:
@@ -74,7 +115,7 @@ def _exchanges(draft: Draft, goal: Goal, told: NounPhrase, wrong: str) -> Iterat
             continue
         kin = [o for o in sorted(looks.objects) if _same_kind(looks, was, o) and o not in chosen]
         if _is_the_other(told):
-            meant = kin if len(kin) == 1 else []
+            meant = kin
         else:
             meant = [thing for thing, _ in refer(told, looks, [was]) if thing in kin]
         for now in meant:

@@ -6,7 +6,7 @@ value; going back to an earlier one is assigning it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -23,7 +23,7 @@ from verbteach.dialogue import (
 )
 from verbteach.dialogue.acts import DemonstrationReason, Outcome, TeacherAct
 from verbteach.dialogue.closing import await_command, close
-from verbteach.dialogue.corrections import another_reference, another_thing
+from verbteach.dialogue.corrections import another_noun, another_reference, other_things
 from verbteach.dialogue.draft import Draft, Mind
 from verbteach.dialogue.explanation import explain
 from verbteach.dialogue.moves import Phase, check_teacher_act
@@ -31,6 +31,7 @@ from verbteach.dialogue.parameters import RobotParameters
 from verbteach.dialogue.policy import LearningPolicy, Policy
 from verbteach.dialogue.promise import Promise
 from verbteach.dialogue.setting import Setting, Settings
+from verbteach.dialogue.speech import Speech
 from verbteach.dialogue.state import RobotState
 from verbteach.dialogue.turn import RobotTurn
 from verbteach.dialogue.understanding import (
@@ -39,6 +40,9 @@ from verbteach.dialogue.understanding import (
 )
 from verbteach.dialogue.wording import word_turn
 from verbteach.language.corrections import read_correction
+from verbteach.language.morphology import listing
+from verbteach.language.refer import Candidates
+from verbteach.language.small_talk import Talk, small_talk
 from verbteach.verbs.knowledge import VerbKnowledge
 
 
@@ -180,15 +184,22 @@ def _command(draft: Draft, act: TeacherAct) -> None:
             revising.revise(draft, act)
 
 
+def _offers_to_show(act: TeacherAct) -> bool:
+    """Whether the teacher takes over, in a word or in words: "no, let me show you"."""
+    if not isinstance(act, acts.Say):
+        return isinstance(act, acts.Show)
+    return Talk.SHOW in {small_talk(act.text), small_talk(read_verdict(act.text).rest)}
+
+
 def _execution(draft: Draft, act: TeacherAct) -> None:
-    if isinstance(act, acts.Show):
+    if _offers_to_show(act):
         demonstration.request(draft, DemonstrationReason.TAKEN_OVER)
     elif questions.settle(draft, questions.read_answer(draft, act)):
         execution.deliberate(draft)
 
 
 def _learning(draft: Draft, act: TeacherAct) -> None:
-    if isinstance(act, acts.Show):
+    if _offers_to_show(act):
         demonstration.request(draft, DemonstrationReason.SHOW_AGAIN)
     elif questions.settle(draft, questions.read_answer(draft, act)):
         learning.deliberate(draft)
@@ -214,7 +225,12 @@ def _judgement(draft: Draft, act: TeacherAct) -> None:
 def _judgement_in_words(draft: Draft, text: str) -> None:
     reply = read_verdict(text)
     draft.reading = reply.label
-    if reply.label == "yes":
+    if _offers_to_show(acts.Say(text)):
+        _judgement(draft, acts.Show())
+    elif reply.reserved:
+        _ask_again(draft, "Was it right just as I did it? Say yes or no first, and then the rest.")
+    elif reply.label == "yes":
+        commands.put_behind(draft, reply.rest)
         _judgement(draft, acts.Good())
     elif _corrected(draft, text):
         return
@@ -223,26 +239,50 @@ def _judgement_in_words(draft: Draft, text: str) -> None:
     elif reply.label == "skip":
         _judgement(draft, acts.Skip())
     else:
-        draft.say(acts.AskAgain("Say yes if it was right, no if it was not, or skip."))
-        draft.wait(_waiting(draft), Phase.JUDGEMENT)
+        _ask_again(draft, "Say yes if it was right, no if it was not, or skip.")
+
+
+def _ask_again(draft: Draft, problem: str) -> None:
+    """Say what is unclear, and wait for the same."""
+    draft.reading = ""
+    draft.say(acts.AskAgain(problem))
+    draft.wait(_waiting(draft), draft.state.turn.phase)
 
 
 def _corrected(draft: Draft, text: str) -> bool:
-    """Whether the words said what should have been meant, and the robot starts over with it."""
+    """Whether the words said what should have been meant.
+
+    The robot starts over with it; where it could be several things, it asks which.
+    """
     correction = read_correction(text)
     if correction is None:
         return False
     reference = another_reference(draft, correction)
     if reference is not None:
-        phrase, things = reference
-        draft.reading = f"{phrase}: {', '.join(thing for thing, _ in things)}"
-        execution.correct_reference(draft, phrase, things)
+        return _with_other_words(draft, *reference)
+    exchanges = other_things(draft, correction)
+    if len(exchanges) > 1:
+        _ask_which(draft, [exchange.now for exchange in exchanges])
         return True
-    exchange = another_thing(draft, correction)
-    if exchange is None or not execution.correct_goal(draft, exchange.goal):
-        return False
-    draft.reading = f"{exchange.was}: {exchange.now}"
+    for exchange in exchanges:
+        draft.reading = f"{exchange.was}: {exchange.now}"
+        if execution.correct_goal(draft, exchange.goal):
+            return True
+    reference = another_noun(draft, correction)
+    return reference is not None and _with_other_words(draft, *reference)
+
+
+def _with_other_words(draft: Draft, phrase: str, things: Candidates) -> bool:
+    draft.reading = f"{phrase}: {', '.join(thing for thing, _ in things)}"
+    execution.correct_reference(draft, phrase, things)
     return True
+
+
+def _ask_which(draft: Draft, things: Sequence[str]) -> None:
+    """A correction that fits several things: which one, asked with the judgement still open."""
+    name = Speech.of(draft.mind.setting, draft.state.world).thing
+    named = listing([name(thing) for thing in dict.fromkeys(things)], "or")
+    _ask_again(draft, f"Do you mean {named}? Say which one, or no if none of them.")
 
 
 def _demonstration(draft: Draft, act: TeacherAct) -> None:
@@ -283,7 +323,14 @@ def _read_back(draft: Draft, act: TeacherAct) -> None:
 def _read_back_in_words(draft: Draft, text: str) -> None:
     reply = read_verdict(text)
     draft.reading = reply.label
-    if reply.label == "yes":
+    if _offers_to_show(acts.Say(text)):
+        _read_back(draft, acts.Show())
+    elif reply.reserved:
+        _ask_again(
+            draft, "Is it right just as I said it? Say yes; or say no, and then what to change."
+        )
+    elif reply.label == "yes":
+        commands.put_behind(draft, reply.rest)
         _read_back(draft, acts.Good())
     elif reply.label == "no":
         _read_back(draft, acts.Bad())
@@ -291,8 +338,7 @@ def _read_back_in_words(draft: Draft, text: str) -> None:
         _read_back(draft, acts.Skip())
     else:
         problem = "Say yes if this is the goal, no if it is not, or skip. You can also strike parts"
-        draft.say(acts.AskAgain(f"{problem} of it, keep what I left out, or show me again."))
-        draft.wait(_waiting(draft), Phase.READ_BACK)
+        _ask_again(draft, f"{problem} of it, keep what I left out, or show me again.")
 
 
 def _waiting(draft: Draft) -> acts.RobotAct:

@@ -139,7 +139,9 @@ class RobotState:
     ``clauses`` are the clauses still to come; ``suggested`` is a command the
     robot has offered instead of what it ``heard``, and ``offered`` its
     clauses where they are the robot's own reading, which a second one disputes.
-    ``policy`` is the question policy as it has learned to be, where it learns.
+    ``latest`` is the last clause that was taken up, for "again"; it follows from
+    what was said, so that no digest needs it. ``policy`` is the question policy
+    as it has learned to be, where it learns.
     """
 
     scene: str
@@ -154,6 +156,7 @@ class RobotState:
     suggested: str = ""
     heard: str = ""
     offered: tuple[VerbFrame, ...] = ()
+    latest: VerbFrame | None = None
     totals: Totals = field(default_factory=Totals)
     policy: LearningPolicy | None = None
 

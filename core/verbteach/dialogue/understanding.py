@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from verbteach.dialogue.doubts import doubt, without_helped
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.grounding import GroundingBelief
 from verbteach.dialogue.setting import Setting, UnknownObjectError
@@ -16,6 +17,7 @@ from verbteach.language.agreement import agree
 from verbteach.language.anaphora import resolve
 from verbteach.language.answers import read_answer
 from verbteach.language.attachment import attach
+from verbteach.language.ellipsis import Ellipsis, applied, read_ellipsis
 from verbteach.language.frames import Argument, NounPhrase, VerbFrame
 from verbteach.language.grammar import EMPTY_LEXICON, Unread, explain_unread, parse
 from verbteach.language.looks import Looks
@@ -33,12 +35,16 @@ class CommandReading:
     """A command's clauses; where there are none, the problem and perhaps a command meant.
 
     ``disputed``: there is a second reader, and it reads the command differently.
+    ``question``: what to ask before the clauses are taken up. ``asks``: it is a
+    question of the teacher's.
     """
 
     frames: tuple[VerbFrame, ...]
     problem: str = ""
     suggestion: str = ""
     disputed: bool = False
+    question: str = ""
+    asks: bool = False
 
 
 @dataclass(frozen=True)
@@ -61,17 +67,43 @@ def read_command(draft: Draft, text: str, *, as_said: bool = False) -> CommandRe
     """
     if len(text) > _LONGEST_COMMAND:
         return CommandReading((), "That is too long for me. Please say it in a sentence or two.")
+    leaning = read_ellipsis(text)
+    if leaning is not None and (read := _once_more(draft, leaning)) is not None:
+        return read
     setting = draft.mind.setting
     talk = small_talk(text)
     frames = () if talk else parse(text, setting.lexicon, setting.vocabulary)
     if not frames:
         why = explain_unread(text, setting.lexicon, setting.vocabulary) or Unread.NO_VERB
         problem = _TALKED[talk] if talk else _UNREAD[why]
-        return CommandReading((), problem.format(example=_example(setting)))
+        asks = talk is Talk.HELP or why is Unread.QUESTION
+        return CommandReading((), problem.format(example=_example(setting)), asks=asks)
     typo = None if as_said else _verb_typo(draft, text, frames)
     if typo is None and _is_nonsense(draft, frames):
         return CommandReading((), _NONSENSE.format(example=_example(setting)))
-    return typo or CommandReading(resolve(frames), disputed=_is_disputed(setting, text, frames))
+    return typo or _weighed(draft, text, frames)
+
+
+def _weighed(draft: Draft, text: str, frames: tuple[VerbFrame, ...]) -> CommandReading:
+    """The clauses with what their pronouns stand for, and what speaks against them."""
+    problem, question = doubt(draft, text, frames, looks_now(draft))
+    if problem:
+        return CommandReading((), problem)
+    disputed = _is_disputed(draft.mind.setting, text, frames)
+    resolved = resolve([without_helped(frame) for frame in frames])
+    return CommandReading(resolved, disputed=disputed, question=question)
+
+
+def _once_more(draft: Draft, leaning: Ellipsis) -> CommandReading | None:
+    """The last clause again, about another thing if one is named."""
+    latest = draft.state.latest
+    if not leaning.about:
+        problem = _NOT_YET.format(example=_example(draft.mind.setting))
+        return CommandReading((latest,)) if latest else CommandReading((), problem)
+    phrase = read_noun_phrase(draft, leaning.about)
+    if phrase is None or latest is None:
+        return None
+    return CommandReading((applied(latest, phrase),))
 
 
 def _example(setting: Setting) -> str:
@@ -236,7 +268,10 @@ _UNREAD: Mapping[Unread, str] = {
     Unread.EMPTY: "I heard nothing. Tell me what to do, as in: {example}.",
     Unread.NO_WORDS: "I see no words in that. Tell me what to do, as in: {example}.",
     Unread.NOT_ENGLISH: "I understand only English. Tell me what to do, as in: {example}.",
-    Unread.QUESTION: "I cannot answer questions. Tell me what to do, as in: {example}.",
+    Unread.QUESTION: (
+        "That I cannot answer: I can say where things are, how they are, and what I have learned."
+        " Tell me what to do, as in: {example}."
+    ),
     Unread.NO_VERB: "I find no verb in that. Tell me what to do with what, as in: {example}.",
 }
 _PASSING = frozenset({Talk.GIVE_UP, Talk.ABSENT})
@@ -263,4 +298,8 @@ _TALKED: Mapping[Talk, str] = {
     Talk.ABSENT: _NOTHING + _NEXT,
     Talk.BACK: "To take back what you said last, say undo. " + _NEXT,
     Talk.LEAVE: "To leave, say quit; you can go on later. " + _NEXT,
+    Talk.REPEAT: "I wait to hear what I should do. " + _NEXT,
+    Talk.SHOW: "Please tell me first what it is that you want to show, as in: {example}.",
+    Talk.WAIT: "I am waiting. " + _NEXT,
 }
+_NOT_YET = "There is nothing yet that I could do again. " + _NEXT

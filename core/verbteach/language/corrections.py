@@ -14,10 +14,14 @@ from verbteach.language.wordlist import phrase_list, word_set
 
 
 class Correction(NamedTuple):
-    """The words for what was meant, and for what it was taken for, which may be left unsaid."""
+    """The words for what was meant, and for what it was taken for, which may be left unsaid.
+
+    ``place``: the words say where something belongs, "no, in the fridge".
+    """
 
     meant: str
     wrong: str = ""
+    place: bool = False
 
 
 _MARKS = frozenset({COMMA, STOP})
@@ -37,6 +41,7 @@ _OPENERS = phrase_list("""
 _AROUND = _MARKS | word_set("but please sorry oh well and rather instead actually then um uh so")
 _ENDERS = phrase_list("i meant, i mean, i said, not that one, not that, not this one")
 _INSTEAD = phrase_list("instead of, rather than, and not, but not, not")
+_PLACING = word_set("on onto in into")
 _POINTING = word_set("the that this my our your his her another other")
 
 
@@ -50,11 +55,13 @@ def read_correction(text: str) -> Correction | None:
     said_no, tokens = _after_any(tokens, _NOES)
     if tokens[:1] == ["not"]:
         return _not_this_but(tokens[1:])
+    before = tokens
     opened, tokens = _after_any(tokens, _OPENERS)
     meant, wrong = _parted(_without_end(tokens))
     if not meant or not (said_no or opened or meant[0] in _POINTING):
         return None
-    return Correction(" ".join(meant), " ".join(wrong))
+    passed = before[: len(before) - len(tokens)]
+    return Correction(" ".join(meant), " ".join(wrong), not _PLACING.isdisjoint(passed))
 
 
 def _not_this_but(tokens: list[str]) -> Correction | None:

@@ -57,7 +57,7 @@ _SAID = {
         skip, skip it, skip this, skip that, pass, never mind, nevermind, forget it, forget that,
         forget about it, cancel, cancel that, cancel it, abort, stop, stop it, stop that, give up,
         i give up, leave it, enough, not now, next, next one, move on, nothing, later, no idea,
-        let it be, drop it, never mind that, stop this, stop now, stop asking, leave that,
+        let it be, never mind that, stop this, stop now, stop asking, leave that,
         no thanks, no thank you
     """,
     Talk.ABSENT: """
@@ -72,7 +72,7 @@ _SAID = {
         no not that, no not that one, not that one, not that, i made a mistake, take that back,
         mistake, my mistake, start over, start again, restart, reset, do not, do not do that,
         do not do it, no do not, that was a mistake, that is a mistake, delete that, delete it,
-        scratch that, remove that, remove that step, remove the last step, delete that step,
+        scratch that, remove that step, remove the last step, delete that step,
         delete the last step, take that step back, take back that step, take back the last step,
         take the last step back, undo the last step, undo that step, undo everything, go back one,
         go back a step, go back one step, one step back, step back, not like that, wrong step,

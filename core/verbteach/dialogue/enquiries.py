@@ -1,0 +1,176 @@
+"""Questions that a person asks the robot: where things are, how they are, what it has learned.
+
+Answered from what the robot sees, which uncertain eyes may have wrong. What it
+cannot answer it says, with what it can.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from verbteach.dialogue.draft import Draft
+from verbteach.dialogue.seeing import perceived
+from verbteach.dialogue.speech import Speech
+from verbteach.dialogue.understanding import read_noun_phrase
+from verbteach.language.first_person import first_person
+from verbteach.language.grammar import parse
+from verbteach.language.looks import Looks
+from verbteach.language.morphology import listing
+from verbteach.language.refer import refer
+from verbteach.language.tokens import COMMA, STOP, spelled_out, tokenise
+from verbteach.language.wordlist import phrase_list
+from verbteach.language.words import PREPOSITIONS
+from verbteach.world.fluents import Fluent, Literal
+
+_MOST_TOLD = 4
+Words = tuple[str, ...]
+
+
+def answer(draft: Draft, text: str) -> str:
+    """The answer to a question in a sentence or two; empty where the robot has none."""
+    words = tuple(t for t in tokenise(spelled_out(text)) if t not in {COMMA, STOP, "please"})
+    if words in _ABOUT_KNOWLEDGE:
+        return known_verbs(draft)
+    for leads, told in ((_HOW_TO, _how_to), (_WHERE, _where), (_WHAT_IS, _what_is_there)):
+        lead = next((lead for lead in leads if words[: len(lead)] == lead), ())
+        if lead and words[len(lead) :] and (said := told(draft, words[len(lead) :])):
+            return said
+    if words[:1] in {("is",), ("are",)} and (said := _how_it_is(draft, words[1:])):
+        return said
+    if words in _ABOUT_PLACE:
+        return f"I am in {_speech(draft).place}."
+    return "To hear why I asked or did something, say why." if words[:1] == ("why",) else ""
+
+
+def known_verbs(draft: Draft) -> str:
+    """The verbs that the robot has learned, as a sentence."""
+    verbs = [f'"{verb}"' for verb in draft.state.knowledge.verbs]
+    return f"I have learned {listing(verbs)}." if verbs else "I have learned no verb yet."
+
+
+def _speech(draft: Draft) -> Speech:
+    """The words for what the robot sees just now."""
+    belief = perceived(draft, draft.state.world, "before")
+    return Speech.of(draft.mind.setting, belief.believed())
+
+
+def _how_to(draft: Draft, words: Words) -> str:
+    """Whether the robot knows a verb: "do you know how to boil water?"."""
+    setting = draft.mind.setting
+    frames = parse(" ".join(words), setting.lexicon, setting.vocabulary)
+    if len(frames) != 1:
+        return ""
+    verb = frames[0].verb
+    if verb in draft.state.knowledge.verbs:
+        return f'Yes, I have learned "{verb}": tell me to, and I do it.'
+    return f'No, I have not learned "{verb}" yet: tell me to, and then show me.'
+
+
+def _where(draft: Draft, words: Words) -> str:
+    speech = _speech(draft)
+    things = _things(draft, words, speech.looks)
+    if not things:
+        return f'I see nothing that I would call "{" ".join(words)}".'
+    told = [_place(thing, speech) for thing in things[:_MOST_TOLD]]
+    more = f" I see {len(things) - len(told)} more." if len(things) > len(told) else ""
+    return " ".join(told) + more
+
+
+def _place(thing: str, speech: Speech) -> str:
+    name = speech.thing(thing)
+    for fluent in sorted(speech.looks.state):
+        if fluent.predicate == _HELD and fluent.args[1:] == (thing,):
+            return _sentence(speech.words.describe(Literal(fluent)))
+    place = speech.looks.place(thing)
+    if place is None:
+        return _sentence(f"i see {name}, and where it stands has no name")
+    verb = "are" if name.endswith("s") and not name.endswith("ss") else "is"
+    return _sentence(f"{name} {verb} {place[0]} {speech.thing(place[1])}")
+
+
+def _what_is_there(draft: Draft, words: Words) -> str:
+    """What is in or on something: "what is on the table?"."""
+    if not words or words[0] not in PREPOSITIONS or len(words) < 2:
+        return ""
+    speech = _speech(draft)
+    places = _things(draft, words[1:], speech.looks)
+    if not places:
+        return f'I see nothing that I would call "{" ".join(words[1:])}".'
+    return " ".join(_contents(place, words[0], speech) for place in places[:_MOST_TOLD])
+
+
+def _contents(place: str, preposition: str, speech: Speech) -> str:
+    looks = speech.looks
+    there = [thing for thing in looks.objects if looks.related(thing, preposition, place)]
+    named = listing([speech.thing(thing) for thing in sorted(there)]) or "nothing"
+    return _sentence(f"i see {named} {preposition} {speech.thing(place)}")
+
+
+def _how_it_is(draft: Draft, words: Words) -> str:
+    """Whether a thing is so: "is the fridge open?", "is the mug on the table?"."""
+    speech = _speech(draft)
+    for end in range(len(words) - 1, 0, -1):
+        things = _things(draft, words[:end], speech.looks)
+        facts = [
+            f for thing in things[:_MOST_TOLD] for f in _asked(draft, thing, words[end:], speech)
+        ]
+        if facts:
+            told = [speech.words.describe(Literal(f, f in speech.looks.state)) for f in facts]
+            return " ".join(map(_sentence, told))
+    return ""
+
+
+def _asked(draft: Draft, thing: str, words: Words, speech: Speech) -> Iterator[Fluent]:
+    """The fluents of ``thing`` that the words after it speak of."""
+    task, looks = draft.mind.setting.task, speech.looks
+    if len(words) == 1:
+        meant = {*words} | looks.names.meant_by(words[0])
+        for predicate, *said in looks.names.adjectives:
+            fluent = Fluent(predicate, (thing,))
+            if not meant.isdisjoint(said) and task.is_fluent(fluent):
+                yield fluent
+    elif words[0] in PREPOSITIONS:
+        for place in _things(draft, words[1:], looks):
+            fluent = Fluent(words[0], (thing, place))
+            if task.is_fluent(fluent):
+                yield fluent
+
+
+def _things(draft: Draft, words: Sequence[str], looks: Looks) -> list[str]:
+    told = read_noun_phrase(draft, " ".join(words))
+    if told is None:
+        return []
+    spoken = [thing for _, thing in draft.state.spoken]
+    return [thing for thing, weight in refer(told, looks, spoken) if looks.is_thing(thing)]
+
+
+def _sentence(said: str) -> str:
+    told = first_person(said)
+    return f"{told[:1].upper()}{told[1:]}."
+
+
+_HELD = "grasping"
+_ABOUT_KNOWLEDGE = frozenset(
+    phrase_list("""
+        what do you know, what can you do, what do you know now, what can you do now, what have you
+        learned, what did you learn, what did i teach you, what have i taught you, what verbs do you
+        know, which verbs do you know, what words do you know, which words do you know, what
+        commands do you know, which commands do you know, which verbs have you learned, what verbs
+        have you learned, which verbs can you do, what things can you do, what have you learned so
+        far, what do you know so far, what do you know how to do, what can i tell you to do,
+        what have you learnt, what did you learn so far
+    """)
+)
+_HOW_TO = phrase_list("""
+    do you know how to, do you know, have you learned how to, have you learned to, have you learned,
+    have you learnt how to, have you learnt to, did you learn how to, did you learn to,
+    are you able to, do you already know how to, did i teach you how to, did i teach you to
+""")
+_WHERE = phrase_list("""
+    where is, where are, where 's, where did you put, where do you see, do you see, can you see,
+    is there, are there, do you know where, which is, where was, what about
+""")
+_WHAT_IS = phrase_list("what is, what 's, what are, what do you see, what can you see, what lies")
+_ABOUT_PLACE = frozenset(
+    phrase_list("where are you, where am i, where are we, which room is this, what room is this")
+)
