@@ -77,6 +77,18 @@ def test_a_participant_by_the_command_line_status_and_answers(tmp_path: Path) ->
     assert here("sessions", "validate", records / "pppp").status == 0
 
 
+def test_a_line_that_does_not_fit_ends_no_study(tmp_path: Path) -> None:
+    said = "maybe\nyes\nnext\nopen the fridge\nobject:\nend\nobject:\nlook\n"
+    words = ("--study", study_file(tmp_path), "--sessions", tmp_path / "r", "--participant", "p1")
+    ran = here("teach", *words, typed=said)
+    assert ran.status == 2
+    assert "Note: type yes or no." in ran.out
+    named = [line.split(":")[1].strip() for line in ran.err.splitlines()]
+    assert named == ["line 1", "line 5", "line 7"]
+    assert f"--participant p1 --sessions {tmp_path / 'r'}" in ran.out.splitlines()[-1]
+    assert here("sessions", "validate", tmp_path / "r" / "p1").status == 0
+
+
 def test_a_formula_in_an_answer_is_a_text_in_the_table(tmp_path: Path) -> None:
     said = WHOLE.replace("nothing more", "=1+1")
     words = ("--study", study_file(tmp_path), "--sessions", tmp_path / "r", "--participant", "p1")

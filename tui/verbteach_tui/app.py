@@ -227,7 +227,7 @@ class VerbteachApp(App[None]):
         """Choose a study to take part in."""
         from verbteach_tui.screens.studies import StudyChooser
 
-        self.push_screen(StudyChooser(self.options.scenes), self._take_part)
+        self.push_screen(StudyChooser(self.options.scenes, self.options.kinds), self._take_part)
 
     def _take_part(self, chosen: Chosen | None) -> None:
         if chosen is not None and self.options.take_part is not None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
@@ -62,7 +62,8 @@ class AppOptions:
     second (0: all at once). ``theme`` is a theme's name, ``None`` the default.
     ``keymap`` are the person's own keys. The tour is shown by itself where there
     is no file ``toured`` yet (``None``: never), and the file is made. ``take_part``
-    leads through the study in a file, by a code, once this app is gone (``None``: not here).
+    leads through the study in a file, by a code, once this app is gone (``None``: not here);
+    ``kinds`` names the kinds of fluents there are, which a study's noise may speak of.
     """
 
     settings: Settings
@@ -77,3 +78,4 @@ class AppOptions:
     keymap: Keymap | None = None
     toured: Path | None = None
     take_part: Callable[[Path, str | None], int] | None = None
+    kinds: Callable[[], Collection[str]] | None = None

@@ -61,22 +61,31 @@ def lead(
     input: TextIO | None = None,
     output: TextIO | None = None,
     note: str = NOTE,
+    patient: bool = False,
 ) -> int:
     """Lead any conversation as :func:`run_plain` leads a session; the exit status.
 
-    ``note`` is said first to a person at the keyboard.
+    ``note`` is said first to a person at the keyboard. ``patient``: a person may
+    be at the other end of a pipe too, so that a line that does not fit ends
+    nothing; it is reported all the same, and by the status in the end.
     """
     out = output or sys.stdout
     _print(out, talk.opening())
     if input is None and sys.stdin.isatty():
         return _at_the_keyboard(talk, out, note)
-    return _from_lines(talk, out, input or _lenient(sys.stdin))
+    return _from_lines(talk, out, input or _lenient(sys.stdin), patient)
 
 
-def _from_lines(talk: Conversation, out: TextIO, lines: Iterable[str]) -> int:
-    """Read lines to their end; the first one that does not fit is reported and ends it."""
+def _from_lines(
+    talk: Conversation, out: TextIO, lines: Iterable[str], patient: bool = False
+) -> int:
+    """Read lines to their end; one that does not fit is reported, and the first one ends it.
+
+    Where it is ``patient`` it goes on, and leaves in the end as from the keyboard.
+    """
     from verbteach_tui.plain_talk import MisfitError
 
+    status = DONE
     for number, line in enumerate(lines, 1):
         text = line.strip()
         if not text or text.startswith("#"):
@@ -87,10 +96,23 @@ def _from_lines(talk: Conversation, out: TextIO, lines: Iterable[str]) -> int:
         except MisfitError as error:
             reason = f"verbteach: line {number}: '{visible(text[:80])}': {visible(str(error))}"
             print(reason, file=sys.stderr)
-            return WRONG
+            status = WRONG
+            if not patient:
+                return status
+            _print(out, [f"Note: {visible(str(error))}."])
         if talk.ended:
-            break
-    return DONE
+            return status
+    if patient:
+        _leave(talk, out)
+    return status
+
+
+def _leave(talk: Conversation, out: TextIO) -> None:
+    """There is nothing more to read: the person has gone."""
+    from verbteach_tui.plain_talk import MisfitError
+
+    with suppress(MisfitError):
+        _print(out, talk.hear("quit", "key"))
 
 
 def _at_the_keyboard(talk: Conversation, out: TextIO, note: str) -> int:
@@ -113,8 +135,7 @@ def _at_the_keyboard(talk: Conversation, out: TextIO, note: str) -> int:
         except KeyboardInterrupt:
             _print(out, ["Note: type quit, or press Ctrl-D, to leave."])
         except EOFError:
-            with suppress(MisfitError):
-                _print(out, talk.hear("quit", "key"))
+            _leave(talk, out)
             break
     return DONE
 

@@ -53,6 +53,7 @@ def app_options(
         resume=beginning.resume,
         sessions=beginning.folder,
         load=beginning.scene,
+        kinds=beginning.fluent_kinds,
         opening=opening,
         speed=speed,
         theme=theme,

@@ -61,7 +61,7 @@ def begun(folder: Path, code: str | None, text: str = SMALL, interface: str = "p
 def plainly(folder: Path, lines: str, code: str | None = "pppp", text: str = SMALL) -> str:
     """What is printed while ``lines`` are said."""
     out = io.StringIO()
-    talk = StudyTalk(begun(folder, code, text), "study.toml")
+    talk = StudyTalk(begun(folder, code, text))
     try:
         assert lead(talk, io.StringIO(lines), out) == 0
     finally:

@@ -13,7 +13,9 @@ from tests.tui.frames import piloted
 from tests.tui.room import NARROW, options
 from tests.tui.study.led import study_file
 from verbteach_tui.app import VerbteachApp
+from verbteach_tui.beginning import Beginning
 from verbteach_tui.options import OpenHome
+from verbteach_tui.room import app_options
 from verbteach_tui.screens.home import HomeScreen
 from verbteach_tui.screens.studies import StudyChooser
 
@@ -57,6 +59,28 @@ async def test_a_study_nearby_is_offered_and_begun_with_a_code(
     assert app.afterwards is not None
     assert app.afterwards() == 7
     assert begun == [(file, "abcd")]
+
+
+async def test_a_study_with_noise_of_a_kind_that_is_nowhere_is_not_begun(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    study_file(tmp_path, SMALL.replace('policy = "she16"', 'policy = "she16"\nnoise = "0.2,onn=0"'))
+    home = app_options(Beginning(tmp_path / "s", "app"), OpenHome())
+    app = VerbteachApp(replace(home, take_part=lambda file, code: 0))
+    async with piloted(app, size=NARROW) as pilot:
+        await pilot.press("s")
+        said = ""
+        for _ in range(200):
+            await pilot.pause(0.02)
+            if isinstance(app.screen, StudyChooser) and app.screen._files:
+                await pilot.press("enter")
+                said = str(app.screen.query_one("#problem", Static).content)
+            if said:
+                break
+        assert "study.toml:27" in said
+        assert "'onn'" in said
+        assert app.afterwards is None
 
 
 async def test_where_the_app_is_served_there_is_no_study_to_choose(tmp_path: Path) -> None:

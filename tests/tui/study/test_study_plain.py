@@ -18,6 +18,7 @@ from verbteach_tui.plain_talk import MisfitError
 from verbteach_tui.plain_words import LOCAL
 from verbteach_tui.study.lesson_talk import _PANELS_OF
 from verbteach_tui.study.plain_study import StudyTalk
+from verbteach_tui.study.words import GOES_ON, STOP_ASKED
 
 SHOWN = "\n".join(SHOW)
 ONE_PANEL = SMALL.replace('policy = "manual"', 'policy = "manual"\npanels = ["scene"]')
@@ -59,7 +60,7 @@ def test_a_refusal_leaves_no_trace(tmp_path: Path) -> None:
 
 
 def test_anything_but_yes_or_no_is_asked_again(tmp_path: Path) -> None:
-    talk = StudyTalk(begun(tmp_path, None), "study.toml")
+    talk = StudyTalk(begun(tmp_path, None))
     for line in ("", "maybe", "open the fridge", "yes please", "end"):
         with pytest.raises(MisfitError):
             talk.hear(line, "typed")
@@ -95,12 +96,40 @@ def test_who_stops_for_good_is_asked_twice_and_then_no_more(tmp_path: Path) -> N
     assert done == ["read", "tasks", "stopped", "answered"]
 
 
+@pytest.mark.parametrize("word", ["no", "N", "go on", ""])
+def test_who_thinks_again_goes_on_and_is_told_where(tmp_path: Path, word: str) -> None:
+    talk = StudyTalk(begun(tmp_path, "pppp"))
+    for line in ("yes", "next", "open the fridge"):
+        talk.hear(line, "typed")
+    talk.hear("/End", "typed")
+    assert talk.hear("yes", "typed") == [STOP_ASKED]
+    again = talk.hear(word, "typed")
+    assert again[0] == GOES_ON
+    assert "Task 1 of 1" in again[1]
+    assert "show me" in again[2]
+    talk.hear("end", "typed")
+    talk.hear("End", "typed")
+    talk.close()
+    done = [data["why"] for kind, data in visit_events(tmp_path, "pppp") if kind == "done"]
+    assert {*done} == {"read", "stopped"}
+
+
+@pytest.mark.parametrize("word", ["quit", "/quit", "QUIT"])
+def test_quit_pauses_the_study_however_it_is_written(tmp_path: Path, word: str) -> None:
+    talk = StudyTalk(begun(tmp_path, "pppp"))
+    for line in ("yes", "next"):
+        talk.hear(line, "typed")
+    assert "--participant pppp" in talk.hear(word, "typed")[-1]
+    assert talk.ended
+    talk.close()
+
+
 def test_what_the_condition_hides_is_not_told(tmp_path: Path) -> None:
     text = SMALL.replace(
         'id = "asking"\npolicy = "manual"', 'id = "other"\npolicy = "manual"\npanels = []'
     )
     for code in ("aaaa", "bbbb"):
-        talk = StudyTalk(begun(tmp_path, code, text), "study.toml")
+        talk = StudyTalk(begun(tmp_path, code, text))
         for line in ("yes", "next"):
             talk.hear(line, "typed")
         hidden = (
@@ -108,8 +137,8 @@ def test_what_the_condition_hides_is_not_told(tmp_path: Path) -> None:
             if begun_with(tmp_path, code) == "showing"
             else {"look", "seen", "mind", "verbs"}
         )
-        for word in ("look", "seen", "mind", "verbs"):
-            if word in hidden:
+        for word in ("look", "seen", "mind", "verbs", "/mind", "MIND", "/ Verbs"):
+            if word.strip("/ ").lower() in hidden:
                 with pytest.raises(MisfitError):
                     talk.hear(word, "typed")
             else:
@@ -126,7 +155,7 @@ def begun_with(folder: Path, code: str) -> str:
 
 
 def test_the_task_says_which_room_and_nobody_leaves_it(tmp_path: Path) -> None:
-    talk = StudyTalk(begun(tmp_path, "aaaa"), "study.toml")
+    talk = StudyTalk(begun(tmp_path, "aaaa"))
     for line in ("yes", "next", *SHOW, *SHOW):
         last = talk.hear(line, "typed")
     assert any("galley kitchen" in line for line in last)

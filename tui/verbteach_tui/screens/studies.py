@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from functools import partial
 from pathlib import Path
 from typing import ClassVar, NamedTuple
@@ -40,9 +40,13 @@ class StudyChooser(ModalScreen[Chosen | None]):
     StudyChooser #problem { color: $text-error; height: auto; max-height: 4; }
     """
 
-    def __init__(self, scenes: Callable[[], tuple[str, ...]]) -> None:
+    def __init__(
+        self,
+        scenes: Callable[[], tuple[str, ...]],
+        kinds: Callable[[], Collection[str]] | None = None,
+    ) -> None:
         super().__init__()
-        self._scenes = scenes
+        self._scenes, self._kinds = scenes, kinds
         self._files: dict[str, Path] = {}
 
     def compose(self) -> ComposeResult:
@@ -104,7 +108,7 @@ class StudyChooser(ModalScreen[Chosen | None]):
         from verbteach_tui.conclusion import complaint
 
         try:
-            read_study(file, self._scenes())
+            read_study(file, self._scenes(), kinds=self._kinds)
             if code is not None:
                 safe_name(code, "participant code")
         except Exception as error:

@@ -155,7 +155,7 @@ class StudyApp(VerbteachApp):
             return words.OVER.get(why, "")
 
         if why == PAUSE:
-            self.farewell = (words.PAUSED, words.CODE.format(code=self.run_through.code))
+            self.farewell = words.paused(self.run_through.code, self.run_through.way_back)
             self._keep(close, then=self.exit)
         else:
             self._keep(close)

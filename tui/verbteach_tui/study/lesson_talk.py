@@ -7,6 +7,7 @@ from verbteach_sessions.session import Session
 from verbteach_sessions.session_acts import Quit
 from verbteach_tui import plain_words
 from verbteach_tui.plain_talk import MisfitError, Talk
+from verbteach_tui.reading import without_slash
 from verbteach_tui.study import words
 from verbteach_tui.study.run import VIA, StudyRun
 
@@ -32,9 +33,13 @@ class LessonTalk(Talk):
         """The way to the first task, the task, and what the robot says."""
         return [*self._moved(None), *self._task(), *super().opening()]
 
+    def again(self) -> list[str]:
+        """The task and what the robot waits for, once more."""
+        return [task_text(self._run, self.session), *self._robot(self.session.turn.texts)]
+
     def hear(self, line: str, via: str) -> list[str]:
         """As ``Talk.hear``; panels that the condition hides are not told."""
-        if not _PANELS_OF.get(line.strip(), frozenset()) <= self._run.panels:
+        if not _PANELS_OF.get(without_slash(line).lower(), frozenset()) <= self._run.panels:
             raise MisfitError("this is not shown here")
         return super().hear(line, via)
 

@@ -7,12 +7,11 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from pathlib import Path
-from shlex import quote
 
 from verbteach_sessions.study.questionnaire import Question, Scale, read_rating
 from verbteach_sessions.study.steps import Kind
 from verbteach_tui.plain_talk import MisfitError
+from verbteach_tui.reading import without_slash
 from verbteach_tui.study import words
 from verbteach_tui.study.lesson_talk import LessonTalk
 from verbteach_tui.study.run import StudyRun
@@ -21,13 +20,16 @@ from verbteach_tui.views.visible import visible
 _YES, _NO = ("yes", "y"), ("no", "n")
 _NEXT = ("", "next", "n")
 _SKIP = ("", "skip", "s")
+_QUIT, _END = "quit", "end"
+_GO_ON = (*_NO, "", "next", "go on", "stay")
+"""Second thoughts after ``end``."""
 
 
 class StudyTalk:
-    """The conversation. ``file`` is the study's file as the participant named it."""
+    """The conversation of one participant."""
 
-    def __init__(self, run: StudyRun, file: str, clock: Callable[[], float] = time.monotonic):
-        self._run, self._file, self._clock = run, file, clock
+    def __init__(self, run: StudyRun, clock: Callable[[], float] = time.monotonic):
+        self._run, self._clock = run, clock
         self._lesson: LessonTalk | None = None
         self._answers: dict[str, int | str | None] = {}
         self._asked_at = 0.0
@@ -44,12 +46,17 @@ class StudyTalk:
 
     def hear(self, line: str, via: str) -> list[str]:
         """Take a line; answer with the lines to print. Raises ``MisfitError``."""
-        word = line.strip()
-        if word == "end" and self._run.visit is not None and self._kind is not Kind.THANKS:
+        word = without_slash(line).lower()
+        if word == _END and self._run.visit is not None and self._kind is not Kind.THANKS:
             return self._end()
-        self._ending = False
-        if word == "quit":
+        asked, self._ending = self._ending, False
+        if word == _QUIT:
             return self._paused()
+        if asked and word in _YES:
+            self._ending = True
+            return [words.STOP_ASKED]
+        if asked and word in _GO_ON:
+            return [words.GOES_ON, *self._again()]
         return self._hear(line, via)
 
     def close(self) -> None:
@@ -76,13 +83,19 @@ class StudyTalk:
             return self._taught(self._lesson, line, via)
         return []
 
+    def _again(self) -> list[str]:
+        """What is waited for, once more."""
+        if self._lesson is not None:
+            return self._lesson.again()
+        return self._question() if self._kind is Kind.QUESTIONNAIRE else [_TYPE_NEXT]
+
     def _entered(self) -> list[str]:
         """What a step begins with."""
         kind = self._kind
         if kind is None:
             return [*_lines(self._run.study.consent), f"{words.ASK_CONSENT} Type yes or no."]
         if kind is Kind.INSTRUCTIONS:
-            return [*_lines(self._run.study.instructions), "Type next to go on."]
+            return [*_lines(self._run.study.instructions), _TYPE_NEXT]
         if kind is Kind.QUESTIONNAIRE:
             self._answers, self._asked_at = {}, self._clock()
             return [words.TLX, *self._question()]
@@ -98,7 +111,7 @@ class StudyTalk:
         return [words.CODE.format(code=self._run.code), *self._entered()]
 
     def _read(self, word: str) -> list[str]:
-        if word not in _NEXT:
+        if word.lower() not in _NEXT:
             raise MisfitError("type next to go on, or quit to pause")
         self._run.here.done()
         return self._entered()
@@ -131,9 +144,7 @@ class StudyTalk:
         if self._run.visit is None:
             return [words.REFUSED]
         self._quit()
-        where = _where(self._run.folder)
-        back = words.BACK.format(file=self._file, code=self._run.code, where=where)
-        return [words.PAUSED, words.CODE.format(code=self._run.code), back]
+        return [*words.paused(self._run.code, self._run.way_back)]
 
     def _quit(self) -> None:
         if self._lesson is not None and not self._lesson.ended:
@@ -165,7 +176,7 @@ class StudyTalk:
 
     def _rated(self, word: str) -> list[str]:
         item = self._items[len(self._answers)]
-        self._answers[item.id] = None if word in _SKIP else _answer(item, word)
+        self._answers[item.id] = None if word.lower() in _SKIP else _answer(item, word)
         if len(self._answers) < len(self._items):
             return self._question()
         self._run.answered(self._answers, self._clock() - self._asked_at)
@@ -181,6 +192,9 @@ class StudyTalk:
         ]
 
 
+_TYPE_NEXT = "Type next to go on."
+
+
 def _answer(item: Scale | Question, word: str) -> int | str:
     if isinstance(item, Question):
         return word
@@ -192,10 +206,3 @@ def _answer(item: Scale | Question, word: str) -> int | str:
 
 def _lines(text: str) -> list[str]:
     return [visible(line) for line in text.splitlines() if line.strip()]
-
-
-def _where(folder: Path) -> str:
-    """What to add so that the records are found again: in another folder the code begins anew."""
-    from verbteach_sessions.catalogue import default_folder
-
-    return "" if folder == default_folder() else f" --sessions {quote(str(folder))}"

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from shlex import quote
 
 from verbteach.dialogue import acts
 from verbteach.dialogue.moves import Phase
@@ -34,8 +35,8 @@ VIA = "study"
 class StudyRun:
     """A participant ``code`` in the study that ``source`` says, whose records go to ``folder``.
 
-    ``beginning`` says where sessions are held; ``returning`` whether this code
-    has begun before. ``visit`` is there once the participant has consented.
+    ``beginning`` says where sessions are held, ``file`` where the study was
+    found. ``visit`` is there once the participant has consented.
     """
 
     study: Study
@@ -43,6 +44,7 @@ class StudyRun:
     folder: Path
     code: str
     beginning: Beginning
+    file: Path = Path("study.toml")
     visit: Visit | None = None
     consented: Callable[[Path], None] = field(default=lambda home: None)
 
@@ -57,7 +59,7 @@ class StudyRun:
         """
         source = file.read_bytes()
         study = parse_study(source, file, beginning.scene_ids(), kinds=beginning.fluent_kinds)
-        run = cls(study, source, folder or beginning.folder, code or new_code(), beginning)
+        run = cls(study, source, folder or beginning.folder, code or new_code(), beginning, file)
         if code is not None and has_enrolled(run.folder, code):
             run.visit = Visit.come_back(
                 run.folder, study.id, code, beginning.interface, beginning.scene_ids()
@@ -78,6 +80,17 @@ class StudyRun:
             self.folder, self.study, self.source, self.code, self.beginning.interface
         )
         self.consented(self.visit.home)
+
+    @property
+    def way_back(self) -> str:
+        """The command by which the participant goes on, later."""
+        from verbteach_sessions.catalogue import default_folder
+
+        # In another folder the code would begin anew.
+        elsewhere = self.folder != default_folder()
+        where = f" --sessions {quote(str(self.folder))}" if elsewhere else ""
+        study = quote(str(self.file))
+        return f"verbteach teach --study {study} --participant {self.code}{where}"
 
     @property
     def here(self) -> Visit:

@@ -24,7 +24,7 @@ def ways(
     return {
         "app": lambda: _on_screen(_run(beginning, file), theme, out),
         "browser": lambda: _on_screen(_run(beginning, file), theme, out),
-        "plain": lambda: _plainly(_run(beginning, file), file, out),
+        "plain": lambda: _plainly(_run(beginning, file), out),
     }
 
 
@@ -54,17 +54,24 @@ def _on_screen(run: StudyRun, theme: str | None, out: TextIO) -> int:
     if app.failure is not None:
         raise app.failure
     if run.beginning.interface != "browser":  # there standard output belongs to the screen
-        for line in app.farewell:
+        for line in app.farewell or _farewell(run):
             print(line, file=out)
     return app.return_code or os.EX_OK
 
 
-def _plainly(run: StudyRun, file: Path, out: TextIO) -> int:
+def _farewell(run: StudyRun) -> tuple[str, ...]:
+    """What is said to one who left on the way, by whatever key."""
+    from verbteach_tui.study import words
+
+    return (words.REFUSED,) if run.visit is None else words.paused(run.code, run.way_back)
+
+
+def _plainly(run: StudyRun, out: TextIO) -> int:
     from verbteach_tui.plain import lead
     from verbteach_tui.study.plain_study import StudyTalk
 
-    talk = StudyTalk(run, str(file))
+    talk = StudyTalk(run)
     try:
-        return lead(talk, output=out, note="")
+        return lead(talk, output=out, note="", patient=True)
     finally:
         talk.close()

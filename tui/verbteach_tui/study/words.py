@@ -9,14 +9,15 @@ from verbteach_sessions.study.stopping import LESSONS, MASTERY, MINUTES, TASKS
 ASK_CONSENT = "Do you agree to take part?"
 REFUSED = "You do not take part. Nothing has been kept."
 CODE = "Your code is {code}. With it you can come back, and later have your record deleted."
-BACK = "To come back: verbteach teach --study {file} --participant {code}{where}"
+BACK = "To come back: {command}"
 PAUSED = "Paused. Everything is kept; you go on where you are now."
 PRACTICE = "Practice: what the robot learns now is forgotten afterwards."
 STOP_ASKED = (
-    "To stop taking part, type end once more. What you did so far is kept, unless you have it "
-    "deleted by your code."
+    "To stop taking part, type end once more; to go on, type no. What you did so far is kept, "
+    "unless you have it deleted by your code."
 )
 ENDING = "end: stops taking part for good; quit only pauses"
+GOES_ON = "You go on."
 STOPPED = "You have stopped. Thank you for what you did."
 OVER: Mapping[str, str] = {
     TASKS: "That was the last task of this part.",
@@ -35,6 +36,11 @@ WITHDRAWAL = (
     "To have your record deleted, give this code to whoever invited you; nobody will ask why: "
     "{code}"
 )
+
+
+def paused(code: str, command: str) -> tuple[str, ...]:
+    """What is said to one who leaves before the end; ``command`` leads back."""
+    return PAUSED, CODE.format(code=code), BACK.format(command=command)
 
 
 def headed(number: int, total: int, text: str) -> str:
