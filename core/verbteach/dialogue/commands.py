@@ -49,7 +49,7 @@ def _consider(draft: Draft, text: str, reading: CommandReading) -> None:
     elif reading.disputed or reading.question:
         _offer(draft, reading.frames, reading.question)
     else:
-        _take_up(draft, reading.frames)
+        _take_up(draft, reading.frames, shown=reading.shown)
 
 
 def _offer(draft: Draft, frames: tuple[VerbFrame, ...], question: str) -> None:
@@ -72,14 +72,17 @@ def put_behind(draft: Draft, text: str) -> bool:
     return True
 
 
-def _take_up(draft: Draft, frames: tuple[VerbFrame, ...]) -> None:
+def _take_up(draft: Draft, frames: tuple[VerbFrame, ...], *, shown: bool = False) -> None:
     draft.reading = "; ".join(clause_text(frame) for frame in frames)
     draft.remember(clauses=frames, referents=())
-    go_on(draft)
+    go_on(draft, shown=shown)
 
 
-def go_on(draft: Draft) -> None:
-    """Turn to the next clause of the command, or wait for the next command."""
+def go_on(draft: Draft, *, shown: bool = False) -> None:
+    """Turn to the next clause of the command, or wait for the next command.
+
+    ``shown``: the teacher wants to show it, known or not.
+    """
     if not draft.state.clauses:
         draft.wait(AwaitCommand(), Phase.COMMAND)
         return
@@ -88,4 +91,4 @@ def go_on(draft: Draft) -> None:
     draft.remember(clauses=tuple(rest), latest=frame)
     if several:
         draft.say(StartClause(clause_text(frame)))
-    execution.begin(draft, clause_text(frame), attached(draft, frame))
+    execution.begin(draft, clause_text(frame), attached(draft, frame), shown=shown)

@@ -33,6 +33,7 @@ _NO_CONDITIONS = frozenset({("once", "more"), ("once", "again"), ("after", "that
 _STATES = frozenset({"make", "ensure", "check", "see", "be", "keep", "know", "think"})
 _MOVING = frozenset({"go", "move", "walk", "drive", "come", "change", "switch", "get"})
 _ROOMS = frozenset({"kitchen", "room"})
+_WAITING = frozenset({"wait", "stay"})
 _HELPED = frozenset({"me", "us"})
 _HANDING = (household.FOR_DATIVE | household.TO_DATIVE) - word_set(
     "open wash clean mix play fix choose peel warm heat boil fill leave book build"
@@ -58,10 +59,14 @@ def _problem(draft: Draft, frames: Sequence[VerbFrame], looks: Looks) -> str:
         return _NEVER
     if any(_is_of_another_room(frame, looks) for frame in frames):
         return _ROOM
-    if any(frame.verb in _STATES and not frame.arguments for frame in frames):
+    bare = [frame.verb for frame in frames if not frame.arguments]
+    if any(verb.split(" ")[0] in _STATES for verb in bare):
         return _STATE
+    if any(verb in _WAITING - {*draft.state.knowledge.verbs} for verb in bare):
+        return "I am waiting: tell me when there is something to do."
     lacking = next((frame.verb for frame in frames if _lacks_object(draft, frame)), "")
-    return f"I should {lacking}, but what? Please name the thing as well." if lacking else ""
+    asked, named = ("where", "place") if lacking in _MOVING else ("what", "thing")
+    return f"I should {lacking}, but {asked}? Please name the {named} as well." if lacking else ""
 
 
 def without_helped(frame: VerbFrame) -> VerbFrame:
@@ -92,7 +97,7 @@ def _lacks_object(draft: Draft, frame: VerbFrame) -> bool:
     """Whether the verb needs a thing and was given none: "open"."""
     known = any(key.verb == frame.verb and not key.arity for key in draft.state.knowledge.frames)
     first = frame.verb.split(" ")[0]
-    alone = first in household.INTRANSITIVE | _MAY_STAND_ALONE and frame.verb not in _WITH_PARTICLE
+    alone = first in household.INTRANSITIVE | _MAY_STAND_ALONE and frame.verb not in _NEEDING
     return not frame.arguments and first in household.VERBS and not alone and not known
 
 
@@ -129,7 +134,7 @@ _MAY_STAND_ALONE = household.MOVING | word_set(
     "wait cook clean tidy wash relax start stop begin finish eat drink iron vacuum sweep dust "
     "look listen sit stand dance sing play help work turn go leave return knock"
 )
-_WITH_PARTICLE = frozenset({"turn on", "turn off", "turn up", "turn down"})
+_NEEDING = frozenset({"turn on", "turn off", "turn up", "turn down", "go", "move", "walk"})
 _NEVER = (
     "I do nothing that I am not told to do, and I cannot keep in mind what not to do."
     " Tell me only what to do."

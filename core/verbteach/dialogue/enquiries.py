@@ -31,14 +31,14 @@ def answer(draft: Draft, text: str) -> str:
     words = tuple(t for t in tokenise(spelled_out(text)) if t not in {COMMA, STOP, "please"})
     if words in _ABOUT_KNOWLEDGE:
         return known_verbs(draft)
+    if words in _ABOUT_PLACE:
+        return f"I am in {_speech(draft).place}."
     for leads, told in ((_HOW_TO, _how_to), (_WHERE, _where), (_WHAT_IS, _what_is_there)):
         lead = next((lead for lead in leads if words[: len(lead)] == lead), ())
         if lead and words[len(lead) :] and (said := told(draft, words[len(lead) :])):
             return said
     if words[:1] in {("is",), ("are",)} and (said := _how_it_is(draft, words[1:])):
         return said
-    if words in _ABOUT_PLACE:
-        return f"I am in {_speech(draft).place}."
     return "To hear why I asked or did something, say why." if words[:1] == ("why",) else ""
 
 
@@ -84,8 +84,14 @@ def _place(thing: str, speech: Speech) -> str:
     place = speech.looks.place(thing)
     if place is None:
         return _sentence(f"i see {name}, and where it stands has no name")
-    verb = "are" if name.endswith("s") and not name.endswith("ss") else "is"
-    return _sentence(f"{name} {verb} {place[0]} {speech.thing(place[1])}")
+    name = _without_place(thing, speech)
+    return _sentence(f"{name} is {place[0]} {speech.thing(place[1])}")
+
+
+def _without_place(thing: str, speech: Speech) -> str:
+    """The thing's name without where it is, which is what is being told."""
+    name, place = speech.thing(thing), speech.looks.place(thing)
+    return name.partition(f" {place[0]} the ")[0] if place else name
 
 
 def _what_is_there(draft: Draft, words: Words) -> str:
@@ -102,7 +108,7 @@ def _what_is_there(draft: Draft, words: Words) -> str:
 def _contents(place: str, preposition: str, speech: Speech) -> str:
     looks = speech.looks
     there = [thing for thing in looks.objects if looks.related(thing, preposition, place)]
-    named = listing([speech.thing(thing) for thing in sorted(there)]) or "nothing"
+    named = listing([_without_place(thing, speech) for thing in sorted(there)]) or "nothing"
     return _sentence(f"i see {named} {preposition} {speech.thing(place)}")
 
 

@@ -42,8 +42,11 @@ _CONSIDERED = 6
 """Goals that are tried for a plan, the best first."""
 
 
-def begin(draft: Draft, command: str, frame: VerbFrame) -> None:
-    """Take up a command: perceive, ground its noun phrases, and decide what to do."""
+def begin(draft: Draft, command: str, frame: VerbFrame, *, shown: bool = False) -> None:
+    """Take up a command: perceive, ground its noun phrases, and decide what to do.
+
+    ``shown``: the teacher wants to show it, which decides that.
+    """
     world = draft.state.world
     grounding, guessed = ground_phrases(draft, frame)
     episode = EpisodeState(
@@ -57,7 +60,10 @@ def begin(draft: Draft, command: str, frame: VerbFrame) -> None:
         guessed=guessed,
     )
     draft.remember(episode=episode)
-    deliberate(draft)
+    if shown and unknown_words(draft) is None:
+        demonstration.request(draft, DemonstrationReason.TAKEN_OVER)
+    else:
+        deliberate(draft)
 
 
 def deliberate(draft: Draft) -> None:

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
-from verbteach.dialogue import acts, commands, demonstration, learning
+from verbteach.dialogue import acts, commands, demonstration, enquiries, learning
 from verbteach.dialogue.acts import AskAgain
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.moves import Phase
 from verbteach.dialogue.speech import Speech
+from verbteach.language.grammar import Unread, explain_unread
 from verbteach.language.small_talk import Talk, small_talk
 from verbteach.language.steps import HOW, StepReader, StepReading
+from verbteach.language.tokens import spelled_out, tokenise
+from verbteach.language.words import QUESTION_WORDS
 from verbteach.world.plan import Action
 
 _LEAVE = "To leave, say quit; you can go on later."
 _BACK = "To take the last step back, say undo."
+_OTHERWISE = f"{_BACK} Then say the right one."
+_NOT_TO_DO = "Show me only what is to be done, not what is not."
+_MISTAKEN = ("no", "nope", "wrong", "sorry", "oops", "not", "rather")
+_FORBIDDING = (["do", "not"], ["never"], ["must", "not"], ["should", "not"])
 
 
 def hear(draft: Draft, text: str) -> None:
@@ -22,7 +29,9 @@ def hear(draft: Draft, text: str) -> None:
     """
     before = draft.state.heard
     draft.remember(heard="")
-    match small_talk(text):
+    talk = small_talk(text)
+    waits = talk is Talk.WAIT and bool(_reader(draft).read(text).action)
+    match None if waits else talk:  # "wait a minute" may be a step
         case Talk.DONE:
             draft.reading = acts.Done.name
             learning.sum_up(draft)
@@ -34,10 +43,31 @@ def hear(draft: Draft, text: str) -> None:
             draft.wait(AskAgain(_LEAVE), Phase.DEMONSTRATION)
         case Talk.BACK:
             draft.wait(AskAgain(_BACK), Phase.DEMONSTRATION)
+        case Talk.WAIT:
+            draft.wait(AskAgain(f"I am waiting. {HOW}"), Phase.DEMONSTRATION)
         case Talk():
             draft.wait(AskAgain(HOW), Phase.DEMONSTRATION)
+        case None if problem := _no_step(draft, text):
+            draft.wait(AskAgain(problem), Phase.DEMONSTRATION)
         case None:
             _watch(draft, text, before)
+
+
+def _no_step(draft: Draft, text: str) -> str:
+    """What is said to words that show nothing: a correction, a prohibition or a question."""
+    setting = draft.mind.setting
+    tokens = [token for token in tokenise(spelled_out(text)) if token[:1].isalpha()]
+    if tokens[:1] and tokens[0] in {"you", "we"}:
+        tokens = tokens[1:]
+    if any(tokens[: len(words)] == words for words in _FORBIDDING):
+        return _NOT_TO_DO
+    corrects = tokens[:2] == ["i", "meant"] or tokens[-1:] == ["instead"]
+    if len(tokens) > 1 and (corrects or tokens[0] in _MISTAKEN):
+        return _OTHERWISE
+    asks = "?" in text or (tokens[:1] and tokens[0] in QUESTION_WORDS)
+    if asks and explain_unread(text, setting.lexicon, setting.vocabulary) is Unread.QUESTION:
+        return enquiries.answer(draft, text) or HOW
+    return ""
 
 
 def _watch(draft: Draft, text: str, before: str) -> None:

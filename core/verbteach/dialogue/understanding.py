@@ -22,10 +22,11 @@ from verbteach.language.frames import Argument, NounPhrase, VerbFrame
 from verbteach.language.grammar import EMPTY_LEXICON, Unread, explain_unread, parse
 from verbteach.language.looks import Looks
 from verbteach.language.refer import Candidates, refer
-from verbteach.language.small_talk import Talk, small_talk
+from verbteach.language.small_talk import Talk, small_talk, to_be_shown
 from verbteach.language.typos import suggest, suggest_verb
 from verbteach.language.wording import Wording
 
+_ALL = frozenset({"all", "both"})
 _LONGEST_COMMAND = 1000
 """Letters: nobody says more in one command, and the record need not carry a book."""
 
@@ -36,7 +37,7 @@ class CommandReading:
 
     ``disputed``: there is a second reader, and it reads the command differently.
     ``question``: what to ask before the clauses are taken up. ``asks``: it is a
-    question of the teacher's.
+    question of the teacher's. ``shown``: the teacher wants to show it.
     """
 
     frames: tuple[VerbFrame, ...]
@@ -45,6 +46,7 @@ class CommandReading:
     disputed: bool = False
     question: str = ""
     asks: bool = False
+    shown: bool = False
 
 
 @dataclass(frozen=True)
@@ -67,6 +69,9 @@ def read_command(draft: Draft, text: str, *, as_said: bool = False) -> CommandRe
     """
     if len(text) > _LONGEST_COMMAND:
         return CommandReading((), "That is too long for me. Please say it in a sentence or two.")
+    if shown := to_be_shown(text):
+        reading = read_command(draft, shown, as_said=as_said)
+        return replace(reading, shown=len(reading.frames) == 1)
     leaning = read_ellipsis(text)
     if leaning is not None and (read := _once_more(draft, leaning)) is not None:
         return read
@@ -210,9 +215,24 @@ def ground_phrases(draft: Draft, frame: VerbFrame) -> tuple[GroundingBelief, fro
 
 
 def fitting_objects(draft: Draft, argument: Argument, looks: Looks) -> Candidates:
-    """The objects that an argument of the command may mean by its own words."""
+    """The objects that an argument of the command may mean by its own words.
+
+    "There" is the last place spoken of, "both" and "all of them" are no single thing.
+    """
     spoken = [thing for _, thing in draft.state.spoken]
-    return refer(argument.phrase, looks, spoken, argument.role)
+    if argument.phrase.head == "there":
+        return tuple((thing, 1.0) for thing in spoken if _is_place(draft, thing))[-1:]
+    found = refer(argument.phrase, looks, spoken, argument.role)
+    points = argument.phrase.is_pronoun or argument.phrase.head in _ALL
+    several = points and argument.phrase.text.split(" ")[0] in _ALL
+    return () if several and len(found) == 1 else found
+
+
+def _is_place(draft: Draft, thing: str) -> bool:
+    """Whether it is something that stands where it stands: nothing puts it anywhere."""
+    scene = draft.mind.setting.scene
+    first = Looks.at(scene, scene.initial, draft.mind.setting.lexicon)
+    return first.is_thing(thing) and first.place(thing) is None
 
 
 def _guesses(draft: Draft, argument: Argument, looks: Looks) -> Candidates:

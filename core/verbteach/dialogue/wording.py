@@ -21,6 +21,7 @@ from verbteach.dialogue.state import EpisodeState
 from verbteach.dialogue.worth import spoken, without_departures
 from verbteach.language.distinguish import glimpse
 from verbteach.language.first_person import first_person
+from verbteach.language.frames import PRONOUNS
 from verbteach.language.morphology import listing
 from verbteach.perception.noise import NoiseModel
 from verbteach.world.fluents import Goal, Literal
@@ -74,6 +75,9 @@ def _start_clause(act: acts.StartClause, about: _About) -> str:
 
 def _np_grd_whq(act: acts.NpGrdWhq, about: _About) -> str:
     found = about.episode.grounding[act.np] if about.episode else ()
+    if not found and act.np.lower() in _POINTERS:
+        asked = f"What do you mean by {_quoted(act.np)}? Name the thing, or point at it."
+        return f"{asked} If it is not here, skip."
     if not found:
         nothing = f"I see nothing that I would call {_quoted(act.np)}. Which is it,"
         return f"{nothing} can you show me? If it is not here, skip."
@@ -89,7 +93,8 @@ def _which(phrase: str, about: _About) -> str:
     """Which is the mug; of several things, since one is taken: which one do you mean."""
     said = about.episode.frame.phrases if about.episode else ()
     guessed = about.episode.guessed if about.episode else frozenset()
-    if phrase in guessed or any(one.text == phrase and one.plural for one in said):
+    several = phrase.split(" ", 1)[0].lower() in _QUANTIFIERS
+    if several or phrase in guessed or any(one.text == phrase and one.plural for one in said):
         return f"Which one do you mean by {_quoted(phrase)}"
     return f"Which is {_the(phrase)}"
 
@@ -275,6 +280,14 @@ _DETERMINERS = frozenset({
     *("the", "a", "an", "my", "your", "his", "her", "its", "our", "their"),
     *("this", "that", "these", "those", "some", "any", "it", "them"),
 })  # fmt: skip
+
+_QUANTIFIERS = frozenset({"all", "both", "every", "each", "another", "everything", "any"})
+_POINTERS = PRONOUNS | frozenset({
+    *("there", "here", "both", "all", "all of them", "both of them", "them all", "them both"),
+    *("the other one", "the other", "another one", "the same", "the same one", "this one"),
+    *("that one", "these ones", "those ones", "one more"),
+})  # fmt: skip
+"""They name nothing themselves."""
 
 _REQUESTS: Mapping[DemonstrationReason, str] = {
     DemonstrationReason.UNKNOWN_VERB: ("I don't know how to {todo}, could you show me an example?"),

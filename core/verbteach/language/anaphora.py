@@ -61,9 +61,15 @@ def _resolved(
         found = _one_thing(argument.role, said)
     elif phrase.head in _SEVERAL and not phrase.modifiers:
         found = _several(said)
-    elif phrase.head == "one" and phrase.modifiers:
+    elif phrase.head == "one" and phrase.modifiers and not _is_open(said):
         found = [_like(phrase, n) for n in _nouns(said, before)][:1]
     return [replace(argument, phrase=antecedent) for antecedent in found] or [argument]
+
+
+def _is_open(said: Sequence[VerbFrame]) -> bool:
+    """Whether the last clause is about an "it" of which only the scene may say what it is."""
+    objects = [a.phrase for a in said[-1].arguments if a.role == OBJECT] if said else []
+    return any(phrase.is_pronoun and not phrase.modifiers for phrase in objects)
 
 
 def _one_thing(role: str, said: Sequence[VerbFrame]) -> list[NounPhrase]:

@@ -5,6 +5,7 @@ Only a whole utterance is one of these: "stop" is, "stop the microwave" is a com
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from enum import Enum
 
@@ -114,6 +115,13 @@ _SAID = {
         give me a minute, let me think, let me see, no wait, hmm, hm, mm, wait please, please wait
     """,
 }
+_TO_BE_SHOWN = re.compile(
+    r"\s*(?:(?:now|ok|okay|so|well|please|today)[\s,]+)*"
+    r"(?:(?:let me|lemme|i will|i'll|i want to|i would like to|i'd like to|i am going to"
+    r"|i'm going to|i can|i)\s+(?:show|teach)\s+you(?:\s+now)?\s+(?:how\s+(?:to|i|you|we)|to)"
+    r"|learn\s+(?:how\s+)?to|(?:watch|look|see)(?:\s+me)?\s+how\s+(?:i|to))\s+(?P<command>\S.*)",
+    re.IGNORECASE | re.DOTALL,
+)
 _AROUND = frozenset({COMMA, STOP}) | word_set(
     "please robot well oh um uh hm so and but now then ok okay"
 )
@@ -132,6 +140,12 @@ def small_talk(text: str) -> Talk | None:
         kinds = {_kind(part) for part in parts}
         found = kinds.pop() if len(kinds) == 1 and len(parts) > 1 else None
     return found
+
+
+def to_be_shown(text: str) -> str:
+    """The command in "let me show you how to boil water"; empty where nothing is announced."""
+    found = _TO_BE_SHOWN.match(text)
+    return found["command"] if found else ""
 
 
 def _kind(tokens: Sequence[str]) -> Talk | None:

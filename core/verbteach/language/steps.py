@@ -30,6 +30,7 @@ from verbteach.language.step_patterns import (
 )
 from verbteach.language.typos import suggest
 from verbteach.language.wording import Wording
+from verbteach.language.words import DETERMINERS
 from verbteach.world.plan import Action
 from verbteach.world.task import Task
 
@@ -218,7 +219,9 @@ class StepReader:
 
     def _near(self, said: Words) -> str:
         """What the words would name with one of them spelled better, or left out in front."""
-        known = sorted({word for name in self.vocabulary for word in name.lower().split()})
+        names = self.looks.names
+        marks = {mark for thing in self.looks.objects for mark in names.lasting_marks(thing)}
+        known = sorted({w for name in {*self.vocabulary, *marks} for w in name.lower().split()})
         spelled = [
             (*said[:place], near, *said[place + 1 :])
             for place, word in enumerate(said)
@@ -226,8 +229,11 @@ class StepReader:
         ]
         for words in (*spelled, *(said[start:] for start in range(1, len(said)))):
             found = self._named(words)
-            if found:
-                return self.wording.name(next(iter(found)))
+            best = [thing for thing, fit in found.items() if fit == max(found.values())]
+            if len(best) == 1:
+                return self.wording.name(best[0])
+            if best:
+                return f'"{" ".join(words)}"'
         return ""
 
     def _unknown(self, words: Words) -> str:
@@ -239,6 +245,8 @@ class StepReader:
         if names:
             return self._incomplete(names)
         verbs = {verb for patterns in self._patterns.values() for verb in fixed_words(patterns)}
+        if words[0] in DETERMINERS and self._named(words):
+            return f"What is to be done with {' '.join(words)}? {HOW}"
         near = suggest(words[0], verbs)
         hint = f'If you mean "{near[0]}", please say it like that.' if near else HOW
         return f'I know no step that begins with "{words[0]}". {hint}'

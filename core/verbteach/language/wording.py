@@ -8,8 +8,9 @@ of the dialogue itself are made elsewhere, out of these.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 from verbteach.language.assembly import OBJECT
 from verbteach.language.fallback import action_wording, fluent_wording
@@ -109,7 +110,7 @@ class Wording:
 
     def clause(self, frame: VerbFrame) -> str:
         """A command as it would follow "to": ``turn on the tv``, ``turn it on``."""
-        said = [*map(_argument, frame.arguments)]
+        said = [*_arguments(frame.arguments)]
         *verb, particle = frame.verb.split(" ")
         if verb and verb != ["not"] and said and _is_it(frame.arguments[0]):
             return " ".join((*verb, said[0], particle, *said[1:]))
@@ -152,6 +153,13 @@ def _in_order(literals: Iterable[Literal]) -> list[Literal]:
 def _is_it(argument: Argument) -> bool:
     """Whether it is a bare pronoun, which stands before a verb's particle."""
     return argument.role == OBJECT and argument.phrase.text.lower() in PRONOUNS
+
+
+def _arguments(arguments: Sequence[Argument]) -> Iterator[str]:
+    """Each in words; objects that stand side by side are joined: ``the fork and the knife``."""
+    for role, group in groupby(arguments, key=lambda argument: argument.role):
+        said = list(map(_argument, group))
+        yield from [listing(said)] if role == OBJECT else said
 
 
 def _argument(argument: Argument) -> str:
