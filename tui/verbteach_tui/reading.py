@@ -24,14 +24,33 @@ _PLACED = re.compile(r"insert:?\s*(?P<at>\d{1,4})\s*:?\s+(?P<step>.+)")
 """As in: insert 2 go to the sink."""
 
 _ROOM = re.compile(
-    r"(?:scene\s+(?P<named>\S+)|go\s+to\s+(?P<numbered>[a-z]+(?:-[a-z0-9]+)*-\d+))[.!]?",
+    r"(?:scene\s+(?P<named>\S+)"
+    r"|go\s+to\s+(?P<numbered>[a-z]+(?:-[a-z0-9]+)*-\d+)"
+    r"|(?:go|move|change|switch)\s+(?:back\s+)?to\s+(?:the\s+)?"
+    r"(?P<room>(?:[a-z]+[\s-])?(?:kitchen|room))[\s-]+(?:number\s+)?(?P<number>\d+))[.!]?",
     re.IGNORECASE,
 )
-"""A scene as a person may name it: scene kitchen-3; go to kitchen-3, as the dialogue has it."""
+"""A scene as a person may name it: scene kitchen-3; go to kitchen-3; go to the living room 2."""
 
 _SESSION: Mapping[str, str] = {
     **dict.fromkeys(
-        ("undo that", "undo it", "undo please", "take that back", "take it back"), "undo"
+        (
+            *("undo that", "undo it", "undo please", "take that back", "take it back"),
+            *("please undo", "undo that please", "undo it please", "please undo that", "undo this"),
+        ),
+        "undo",
+    ),
+    **dict.fromkeys(
+        (
+            *("repeat please", "please repeat", "say that again", "say that again please"),
+            *("come again", "what did you say", "what was that", "what was the question"),
+            *("repeat the question", "pardon", "pardon me"),
+        ),
+        "repeat",
+    ),
+    **dict.fromkeys(
+        ("why do you ask", "why are you asking", "why do you ask that", "why did you do that"),
+        "why",
     ),
     **dict.fromkeys(("redo that", "redo it"), "redo"),
     **dict.fromkeys(("exit", "bye", "goodbye", "good bye", "quit please", "please quit"), "quit"),
@@ -49,9 +68,15 @@ def without_slash(line: str) -> str:
 
 def _of_the_session(text: str) -> str:
     """The word where the line says no more than it in any letters, as in "Undo that."."""
-    bare = text.lower().rstrip(".!").rstrip()
+    bare = " ".join(text.lower().replace(",", " ").rstrip(" .!?").split())
     word = _SESSION.get(bare, bare)
     return word if word in _ALWAYS else text
+
+
+def _scene(room: re.Match[str]) -> str:
+    """The name of the scene, as in kitchen-3."""
+    said: str = room["named"] or room["numbered"] or f"{room['room']}-{room['number']}"
+    return "-".join(said.lower().split())
 
 
 @dataclass(frozen=True)
@@ -94,7 +119,7 @@ class Reader:
             return parse_line(text)
         room = _ROOM.fullmatch(text)
         if room:
-            return acts.GoToScene((room["named"] or room["numbered"]).lower())
+            return acts.GoToScene(_scene(room))
         return acts.Command(text)
 
     def _word(self, text: str) -> ScriptAct | None:
