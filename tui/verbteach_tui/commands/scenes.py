@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sized
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -59,9 +60,13 @@ def check(scenes: ScenesFolder = None, as_json: JsonFlag = False) -> None:
     else:
         for problem in report.problems:
             tell(f"{_place(problem)}: {problem.reason}")
-        tell(f"{len(report.scenes)} scenes can be used, {len(problems)} problems")
+        tell(f"{_count(report.scenes, 'scene')} can be used, {_count(problems, 'problem')}")
     if problems:
         raise typer.Exit(CHECK_FAILED)
+
+
+def _count(things: Sized, name: str) -> str:
+    return f"{len(things)} {name}" if len(things) == 1 else f"{len(things)} {name}s"
 
 
 def _place(problem: Any) -> str:
