@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 from textual.app import App, SystemCommand
 from textual.binding import Binding, BindingType
 from textual.command import CommandPalette
+from textual.messages import ExitApp
 from textual.screen import Screen
 
 from verbteach_tui.help_text import help_about, keys_of
@@ -23,6 +24,7 @@ from verbteach_tui.screens.help import HelpScreen
 from verbteach_tui.screens.home import HomeScreen
 from verbteach_tui.screens.opening import OpeningScreen
 from verbteach_tui.screens.room import RoomScreen
+from verbteach_tui.terminal import in_browser
 from verbteach_tui.themes import DEFAULT, THEMES, VARIABLES
 
 if TYPE_CHECKING:
@@ -33,6 +35,9 @@ if TYPE_CHECKING:
 
 WARMING = 0.5
 """Seconds after which the home screen begins to load what teaching needs, behind the scenes."""
+
+ALONE = 2.0
+"""Seconds between two looks whether the server that shows this app in a browser is still there."""
 
 
 def run_app(options: AppOptions) -> int:
@@ -89,8 +94,15 @@ class VerbteachApp(App[None]):
         return VARIABLES
 
     def on_mount(self) -> None:
-        """The first screen."""
+        """The first screen. In a browser, also watch for the server's end: nobody else tells."""
+        if in_browser():
+            self.set_interval(ALONE, partial(self._leave_without, os.getppid()))
         self.begin()
+
+    def _leave_without(self, server: int) -> None:
+        """Leave, and let go of the record, once the process that started this one is gone."""
+        if os.getppid() != server:
+            self.post_message(ExitApp())
 
     def begin(self) -> None:
         """Home, or straight into a session."""

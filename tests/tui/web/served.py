@@ -11,8 +11,8 @@ from pathlib import Path
 
 
 @contextmanager
-def served(records: Path, *words: object) -> Iterator[str]:
-    """The address it serves on."""
+def served(records: Path, *words: object, killed: bool = False) -> Iterator[str]:
+    """The address it serves on. In the end it is asked to stop, or ``killed``."""
     command = [sys.executable, "-m", "verbteach_tui", "serve", "--port", "0"]
     command += ["--sessions", str(records), *map(str, words)]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
@@ -24,5 +24,5 @@ def served(records: Path, *words: object) -> Iterator[str]:
         try:
             yield found[0]
         finally:
-            process.terminate()
+            process.kill() if killed else process.terminate()
             process.wait(30)

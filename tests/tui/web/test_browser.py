@@ -15,6 +15,7 @@ from tests.tui.study.led import SHOW, study_file
 from tests.tui.web.chromium import PROGRAM, Browser, Page, chromium, happens
 from tests.tui.web.served import served
 from verbteach_sessions.eventlog import LogReader
+from verbteach_sessions.lock import in_use
 from verbteach_sessions.session import Session
 from verbteach_sessions.validate import validate
 from verbteach_tui.study.reading_screen import TOO_SOON
@@ -191,6 +192,26 @@ async def test_a_study_in_a_browser_keeps_nothing_before_consent_and_comes_back(
     (home,) = [path for path in records.iterdir() if path.is_dir()]
     assert (home / "visit.jsonl").is_file()
     assert next(iter(LogReader(log))).data["study"]["consent"]["answer"] == "yes"
+
+
+async def test_who_was_with_a_killed_server_goes_on_with_the_next(tmp_path: Path) -> None:
+    records = tmp_path / "records"
+    async with chromium(tmp_path / "profile") as browser:
+        with served(records, killed=True) as address:
+            page = await browser.visit(address)
+            await page.ready()
+            await page.shows("Choose a room")
+            await page.press("enter")
+            log = await started(page, records)
+            await page.type("open the fridge")
+            await answered(log, 2)
+        await page.until("document.body.classList.contains('-closed')")
+        await happens(lambda: not in_use(log.parent))
+        with served(records) as address:
+            again = await browser.open(address, page.context)
+            await again.ready()
+            await happens(lambda: b'"type":"resume"' in log.read_bytes())
+    assert validate(log.parent, SETTINGS).valid
 
 
 REMEMBERING = """

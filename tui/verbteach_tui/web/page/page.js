@@ -9,6 +9,10 @@ dataset.sessionWebsocketUrl = socket.href;
 const fitting = Math.max(window.innerWidth / (COLUMNS * LETTER), SMALLEST);
 dataset.fontSize = Math.min(dataset.fontSize, fitting);
 document.getElementById("again").addEventListener("click", () => window.location.reload());
+// Keys go to the terminal without a click first, and to the button once there is only that.
+const focus = (found) => found && found.focus();
 new MutationObserver(() => {
-  if (document.body.classList.contains("-closed")) document.getElementById("again").focus();
+  const { classList } = document.body;
+  if (classList.contains("-closed")) focus(document.getElementById("again"));
+  else if (classList.contains("-first-byte")) focus(document.querySelector(".xterm-helper-textarea"));
 }).observe(document.body, { attributes: true, attributeFilter: ["class"] });
