@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from verbteach.dialogue import enquiries
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.understanding import looks_now, read_noun_phrase
 from verbteach.language import household
@@ -30,6 +31,8 @@ def find_objects(draft: Draft, phrase: str, text: str) -> Found:
     current = [thing for thing, _ in draft.episode.grounding[phrase]]
     if choice.kind is Chosen.POINTED and len(current) == 1:
         return Found(((current[0], 1.0),))
+    if choice.kind is Chosen.NONE and (told := enquiries.answer(draft, text)):
+        return Found((), told)
     if choice.kind is not Chosen.NAMED:
         return Found((), _PROBLEMS.get(choice.kind, ""), _LABELS.get(choice.kind, ""))
     if choice.index is not None:
@@ -107,7 +110,7 @@ _WHICH = "I asked which one it is."
 _PROBLEMS: Mapping[Chosen, str] = {
     Chosen.ALL: "I can do it with only one thing at a time. Which one now?",
     Chosen.POINTED: "I do not see where you point. Name the thing, or say its number.",
-    Chosen.NONE: "I did not understand that. Name the thing, or point at it.",
+    Chosen.NONE: "First tell me which one it is: name the thing, or point at it.",
 }
 _LABELS: Mapping[Chosen, str] = {
     Chosen.ANY: "unsure",

@@ -8,6 +8,7 @@ from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.moves import Phase
 from verbteach.dialogue.understanding import (
     CommandReading,
+    Reply,
     attached,
     clause_text,
     read_command,
@@ -23,12 +24,16 @@ _SEQUENCE = frozenset({"now", "then", "next", "please", "and", ",", ".", "so", "
 def hear(draft: Draft, text: str) -> None:
     """Take up a command, or the answer to the command that the robot offered instead.
 
-    A no to a word that the robot offered means the word that was said.
+    A no to a word that the robot offered means the word that was said, unless
+    another command comes behind it.
     """
     suggested, heard, offered = draft.state.suggested, draft.state.heard, draft.state.offered
     draft.remember(suggested="", heard="", offered=())
-    label = read_reply(text).label if suggested else ""
-    if not label:
+    reply = read_reply(text) if suggested else Reply("")
+    label, instead = reply.label, reply.rest
+    if label == "no" and instead and (meant := read_command(draft, instead)).frames:
+        _consider(draft, instead, meant)
+    elif not label:
         _consider(draft, text, read_command(draft, text))
     elif label == "no" and heard:
         _consider(draft, heard, read_command(draft, heard, as_said=True))

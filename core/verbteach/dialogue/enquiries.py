@@ -83,7 +83,7 @@ def _place(thing: str, speech: Speech) -> str:
             return _sentence(speech.words.describe(Literal(fluent)))
     place = speech.looks.place(thing)
     if place is None:
-        return _sentence(f"i see {name}, and where it stands has no name")
+        return _sentence(f"i see {name} here")
     name = _without_place(thing, speech)
     return _sentence(f"{name} is {place[0]} {speech.thing(place[1])}")
 

@@ -7,6 +7,7 @@ from verbteach.dialogue.acts import AskAgain
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.moves import Phase
 from verbteach.dialogue.speech import Speech
+from verbteach.language.answers import Label, read_answer
 from verbteach.language.grammar import Unread, explain_unread
 from verbteach.language.small_talk import Talk, small_talk
 from verbteach.language.steps import HOW, StepReader, StepReading
@@ -64,6 +65,8 @@ def _no_step(draft: Draft, text: str) -> str:
     corrects = tokens[:2] == ["i", "meant"] or tokens[-1:] == ["instead"]
     if len(tokens) > 1 and (corrects or tokens[0] in _MISTAKEN):
         return _OTHERWISE
+    if read_answer(text).label is Label.UNSURE:
+        return HOW
     asks = "?" in text or (tokens[:1] and tokens[0] in QUESTION_WORDS)
     if asks and explain_unread(text, setting.lexicon, setting.vocabulary) is Unread.QUESTION:
         return enquiries.answer(draft, text) or HOW

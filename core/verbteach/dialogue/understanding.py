@@ -102,13 +102,12 @@ def _weighed(draft: Draft, text: str, frames: tuple[VerbFrame, ...]) -> CommandR
 def _once_more(draft: Draft, leaning: Ellipsis) -> CommandReading | None:
     """The last clause again, about another thing if one is named."""
     latest = draft.state.latest
-    if not leaning.about:
-        problem = _NOT_YET.format(example=_example(draft.mind.setting))
-        return CommandReading((latest,)) if latest else CommandReading((), problem)
-    phrase = read_noun_phrase(draft, leaning.about)
-    if phrase is None or latest is None:
+    phrase = read_noun_phrase(draft, leaning.about) if leaning.about else None
+    if leaning.about and phrase is None:
         return None
-    return CommandReading((applied(latest, phrase),))
+    if latest is None:
+        return CommandReading((), _NOT_YET.format(example=_example(draft.mind.setting)))
+    return CommandReading((applied(latest, phrase) if phrase else latest,))
 
 
 def _example(setting: Setting) -> str:
@@ -173,7 +172,7 @@ def read_reply(text: str, *, verdict: bool = False) -> Reply:
         return Reply(reading.label.value, reading.rest, reserved=reading.reserved)
     if reading.contradictory:
         return Reply("", "", "Is that a yes or a no? I heard both.")
-    talk = small_talk(text)
+    talk = Talk.WAIT if text.strip(" .!").lower() == "wait" else small_talk(text)
     if talk in _PASSING:
         return Reply("unsure")
     if talk is not None and talk in _ANSWERED:

@@ -66,7 +66,8 @@ _PRAISE = """
     right, i like it, i like that, that is fine, that 's fine, it is fine, it 's fine, it is ok, it
     's ok, it is okay, it 's okay, that is ok, that 's ok, that is okay, that 's okay, not bad, not
     bad at all, just right, as i wanted, that is what i wanted, that 's what i wanted, just what i
-    wanted, all good, all right, alright, as it should be
+    wanted, all good, all right, alright, as it should be,
+    that is the goal, that 's the goal
 """
 _BLAME = """
     that was wrong, that was not right, that was not it, that was bad, that was not correct, not
@@ -76,8 +77,7 @@ _BLAME = """
     wanted, that was not what i meant, i did not mean that, i did not mean it, i did not want that,
     i did not say that, awful, terrible, horrible, it did not work, that did not work, i do not like
     it, i do not like that, you did it wrong, you did wrong, wrong one, the wrong one, not good
-    enough, nothing happened, not like that, you made a mistake, that is a mistake, that 's a
-    mistake, that was a mistake, bad robot
+    enough, nothing happened, not like that, you made a mistake, bad robot
 """
 _NO = """
     no, nope, nah, nay, never, wrong, incorrect, false, negative, not really, not at all, not

@@ -327,9 +327,12 @@ class Phrases:
         return NounPhrase(text, head, tuple(before), determiner, many or last == "ones")
 
     def _with_numbers_in_front(self, inside: list[str]) -> list[str]:
-        """``channel 5`` has the head "channel"."""
+        """``channel 5`` and ``channel number 5`` have the head "channel"."""
         end = len(inside)
         while end and self.classes.is_number(inside[end - 1]) and inside[end - 1] != "one":
+            end -= 1
+        if 1 < end < len(inside) and inside[end - 1] == "number":
+            inside = [*inside[: end - 1], *inside[end:]]
             end -= 1
         if end in {0, len(inside)}:
             return inside

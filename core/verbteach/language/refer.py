@@ -48,6 +48,7 @@ _SUPERLATIVES = {
     "bigger": 1, "larger": 1, "smaller": -1,
 }  # fmt: skip
 _SPEAKERS = {"you": "robot", "i": "person"}
+_DIGITS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine")
 _HOLDING = frozenset({"hold", "carry", "grasp", "have"})
 
 
@@ -68,7 +69,7 @@ class _Said:
     def of(cls, phrase: NounPhrase) -> _Said:
         words = phrase.modifiers
         placed = [inner.head for _, inner in phrase.relations if inner.head in POSITIONS]
-        digits = [w for w in words if w.isdecimal()]
+        digits = [*(w for w in words if w.isdecimal()), *_counted(phrase)]
         return cls(
             heads=_heads(phrase),
             marks=(*(w for w in words if _is_mark(w)), *placed),
@@ -85,6 +86,12 @@ class _Said:
         """Whether it says nothing but that something was spoken of: "the other one"."""
         described = self.marks or self.relations or self.number or self.size or self.holder
         return self.heads[0] == "one" and not described and self.ordinal is None
+
+
+def _counted(phrase: NounPhrase) -> list[str]:
+    """The number of "mug two", in digits; "two mugs" has none, and "one" is no number here."""
+    last = phrase.text.split(" ")[-1].lower()
+    return [str(_DIGITS.index(last))] if last in _DIGITS[2:] and not phrase.plural else []
 
 
 def _heads(phrase: NounPhrase) -> tuple[str, ...]:

@@ -233,7 +233,8 @@ class StepReader:
             if len(best) == 1:
                 return self.wording.name(best[0])
             if best:
-                return f'"{" ".join(words)}"'
+                the = said[:1] if said[0] in DETERMINERS and words[0] not in DETERMINERS else ()
+                return f'"{" ".join((*the, *words))}"'
         return ""
 
     def _unknown(self, words: Words) -> str:
