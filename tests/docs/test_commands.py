@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 import pytest
 
@@ -13,6 +13,8 @@ from docs.diagrams import ROOT
 from tests.tui.commandline import here
 from tests.tui.test_cli_contract import commands, options_of
 from verbteach_sessions.script import PREFIXES, WORDS
+from verbteach_tui.commands.sessions_export import FormatName
+from verbteach_tui.commands.train import LearnerName
 
 PAGE = ROOT / "docs" / "commands.md"
 SECTION = re.compile(r"^## `verbteach(?P<name>[a-z -]*)`\n(?P<text>.*?)(?=^## |\Z)", re.M | re.S)
@@ -39,6 +41,15 @@ def test_every_command_has_its_section_and_no_section_is_left_over() -> None:
 @pytest.mark.parametrize(("name", "command"), list(commands()))
 def test_every_option_stands_in_the_table_and_no_other(name: str, command: Any) -> None:
     assert documented_options(sections()[name]) == options_of(command) - HELP
+
+
+@pytest.mark.parametrize(
+    ("name", "option", "choices"),
+    [("train", "--learner", LearnerName), ("sessions export", "--to", FormatName)],
+)
+def test_what_grows_has_all_its_names_in_the_table(name: str, option: str, choices: Any) -> None:
+    (named,) = re.findall(rf"^\| `{option} ([^`]+)`", sections()[name], re.M)
+    assert sorted(named.split("\\|")) == sorted(get_args(choices))
 
 
 def keys(document: Any) -> Iterator[str]:

@@ -7,8 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from docs import learners
 from verbteach.dialogue import execution_inquiry, learning_inquiry
 from verbteach.experiments.interactive_training import LEARNERS
+from verbteach_tui.plots.curves import COLOURS, MARKERS
 
 PAGE = (Path(__file__).parents[2] / "docs" / "learning.md").read_text(encoding="utf-8")
 
@@ -33,3 +35,9 @@ def test_every_feature_is_on_the_page_as_the_code_describes_it(
 
 def test_every_learner_is_on_the_page() -> None:
     assert set(table("## Learners")) == {*LEARNERS, "lspi"}
+
+
+def test_every_learner_is_compared_and_has_a_colour_and_a_mark_of_its_own() -> None:
+    assert set(learners.LEARNERS) == {*LEARNERS, "lspi"}
+    for signs in (COLOURS, MARKERS):
+        assert len({signs[name] for name in learners.LEARNERS}) == len(learners.LEARNERS)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 import pytest
 
+from verbteach.experiments.interactive_training import LEARNERS
 from verbteach.policy.learners import (
     BayesianTD,
     Floats,
@@ -82,12 +83,18 @@ def taught(learner: Learner, dialogues: int, warm: int) -> list[Step]:
     return log
 
 
-@pytest.mark.parametrize(
-    "learner",
-    [Sarsa(SIZE, GAMMA, 0.1), TrueOnlineSarsa(SIZE, GAMMA, 0.2), BayesianTD(SIZE, GAMMA)],
-    ids=["sarsa", "true-online", "bayesian"],
-)
-def test_each_learner_finds_the_way_to_the_end(learner: Learner) -> None:
+QUICK: Mapping[str, Callable[[], Learner]] = {
+    "sarsa": lambda: Sarsa(SIZE, GAMMA, 0.1),
+    "true-online": lambda: TrueOnlineSarsa(SIZE, GAMMA, 0.2),
+    "bayesian": lambda: BayesianTD(SIZE, GAMMA),
+}
+"""Each learner at a rate for so small a chain."""
+
+
+@pytest.mark.parametrize("name", LEARNERS)
+def test_each_learner_finds_the_way_to_the_end(name: str) -> None:
+    learner = QUICK[name]()
+    assert type(learner) is LEARNERS[name]
     taught(learner, 600, 300)
     for state in range(STATES - 1):
         assert learner.weights[2 * state + 1] > learner.weights[2 * state]
