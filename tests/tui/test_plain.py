@@ -69,6 +69,15 @@ def test_a_step_is_picked_by_numbers(tmp_path: Path) -> None:
         assert done[-1].startswith("Robot: I see: go to the fridge")
 
 
+@pytest.mark.parametrize("said", ["fridge", "The fridge.", "Fridge_1"])
+def test_what_is_offered_for_a_step_may_be_called_by_its_name(tmp_path: Path, said: str) -> None:
+    with begin(tmp_path) as session:
+        _, done = talk(session, "open the fridge", "steps", "1", said)
+        assert done[-1].startswith("Robot: I see: go to the fridge")
+        _, begun = talk(session, "steps", said)
+        assert "I see:" not in begun[-1]
+
+
 def test_parts_of_a_goal_are_struck_and_kept_by_numbers(tmp_path: Path) -> None:
     with begin(tmp_path) as session:
         _, printed = talk(session, *LESSON[:-1])

@@ -78,7 +78,7 @@ class Talk:
         if local is not None:
             return local
         try:
-            act = self._picked(text) if text.isdecimal() else self._snapshot.reader.read(line)
+            act = self._picked(self._number_of(text)) or self._snapshot.reader.read(line)
         except LineSyntaxError as error:
             raise MisfitError(str(error)) from error
         if isinstance(act, _Picking):
@@ -176,7 +176,18 @@ class Talk:
         others = [f"And {rest} that cannot be done now; type one to hear why."] if rest else []
         return [*head, *plain_words.numbered(possible), *others]
 
+    def _number_of(self, text: str) -> str:
+        """The number of the object that was offered for a step and is called by its name."""
+        if self._picking is None or not self._picking.name:
+            return text
+        name = text.lower().removeprefix("the ").rstrip(".!")
+        offered = enumerate(self._picking.offered, 1)
+        named = [number for number, choice in offered if name in (choice.label, choice.id.lower())]
+        return str(named[0]) if len(named) == 1 else text
+
     def _picked(self, text: str) -> ScriptAct | _Picking | None:
+        if not text.isdecimal():
+            return None
         snapshot, number = self._snapshot, int(text[:9])
         if snapshot.phase is Phase.READ_BACK:
             if not 1 <= number <= len(snapshot.parts):
