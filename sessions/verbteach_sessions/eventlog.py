@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from hashlib import sha256
 from pathlib import Path
-from typing import Any, NamedTuple, NoReturn
+from typing import Any, BinaryIO, NamedTuple, NoReturn
 
 from verbteach_sessions import lines
 from verbteach_sessions.chain import Followed, Position, follow
@@ -49,6 +49,20 @@ def log_path(path: Path) -> Path:
     return path / LOG_NAME if path.is_dir() else path
 
 
+def _opened(path: Path) -> BinaryIO:
+    """The log, to be read. Raises ``NotASessionError``; of a folder of sessions it says so."""
+    try:
+        return open_regular(path)
+    except NotASessionError as error:
+        inside = sorted(path.parent.glob(f"*/{LOG_NAME}")) if path.name == LOG_NAME else []
+        if path.exists() or not inside:
+            raise
+        example = inside[-1].parent
+        raise NotASessionError(
+            f"{path.parent}: is a folder of sessions; name one of them, as in {example}"
+        ) from error
+
+
 class LogReader:
     """Iterates over a log's events once, checking each line's hash, number and version.
 
@@ -68,7 +82,7 @@ class LogReader:
         self._strict = strict
 
     def __iter__(self) -> Iterator[Event]:
-        with open_regular(self.path) as file:
+        with _opened(self.path) as file:
             if self._start is not None:
                 self._start.passed(follow(file, self._start.position))
                 self.position = self.before_last = self._start.position

@@ -29,6 +29,11 @@ def test_show_tells_what_was_said(kept: Path) -> None:
     assert "fetch the kettle" in here("sessions", "show", kept / LOG_NAME).out
 
 
+def test_a_folder_of_sessions_is_no_session_and_names_one(kept: Path) -> None:
+    for words in (("sessions", "show"), ("replay",), ("sessions", "branch")):
+        assert_refused(here(*words, kept.parent), "is a folder of sessions", str(kept))
+
+
 def test_replay_tells_every_act_in_order_and_stops_where_told(kept: Path) -> None:
     told = here("replay", kept).out
     assert told.index("fetch the kettle") < told.index("moveto Kettle_1") < told.index("went well")

@@ -100,6 +100,12 @@ def test_an_unknown_command_is_offered_a_near_one() -> None:
     assert_refused(here("doctr"), "doctr", "doctor", "--help")
 
 
+def test_a_command_of_a_group_is_found_without_it() -> None:
+    assert_refused(here("export", "x"), "Did you mean 'sessions export'?")
+    assert_refused(here("check"), "'scenes check', 'lessons check'", "'study check'")
+    assert "mean" not in here("sessions", "teach").err
+
+
 def test_an_unknown_option_is_offered_a_near_one() -> None:
     assert_refused(here("doctor", "--jsn"), "--jsn", "--json", "verbteach doctor --help")
 

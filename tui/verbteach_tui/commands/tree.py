@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Annotated, Any, TypeAlias
@@ -187,4 +188,13 @@ def _usage(error: typer.TyperException) -> str:
     """The error in one line, with the command whose help says more."""
     context = getattr(error, "ctx", None)
     path = context.command_path if context is not None else NAME
-    return f"{error.format_message()} (see '{path} --help')"
+    elsewhere = _elsewhere(error.format_message()) if path == NAME else ""
+    return f"{error.format_message()}{elsewhere} (see '{path} --help')"
+
+
+def _elsewhere(message: str) -> str:
+    """Where the command that is not there is one of a group."""
+    found = re.match(r"No such command '([a-z-]+)'\.$", message)
+    name = found[1] if found else ""
+    paths = [f"'{group} {name}'" for group, (_, commands) in GROUPS.items() if name in commands]
+    return f" Did you mean {', '.join(paths)}?" if paths else ""

@@ -116,12 +116,12 @@ def _line(canvas: BrailleCanvas, y: int, label: str) -> Row:
 
 
 _COLUMNS = (
-    ("policy", 8),
-    ("SJI", 19),
-    ("IED", 19),
-    ("right", 6),
-    ("asked, learning", 16),
-    ("asked, acting", 14),
+    ("policy", 7),
+    ("SJI", 16),
+    ("IED", 16),
+    ("right", 5),
+    ("asked, learning", 15),
+    ("acting", 6),
 )
 
 
@@ -130,7 +130,7 @@ def table_rows(rows: Sequence[Mapping[str, Any]], width: int) -> list[Row]:
     if not rows:
         return []
     shown = list(_COLUMNS)
-    while len(shown) > 2 and sum(room + 1 for _, room in shown) > width:
+    while len(shown) > 2 and sum(room + 1 for _, room in shown) - 1 > width:
         shown.pop()
     best = max(row["sji"]["mean"] for row in rows)
     head = [Span(f"{name:{room}} ", "muted") for name, room in shown]
@@ -168,7 +168,7 @@ def _cells(row: Mapping[str, Any]) -> dict[str, str]:
         "IED": _figure(row["ied"]),
         "right": f"{row['right']:.0%}",
         "asked, learning": f"{row['questions_learning']['mean']:.2f}",
-        "asked, acting": f"{row['questions_execution']['mean']:.2f}",
+        "acting": f"{row['questions_execution']['mean']:.2f}",
     }
 
 
