@@ -28,7 +28,7 @@ class Doubt(NamedTuple):
     question: str = ""
 
 
-_CONDITIONS = word_set("if unless when whenever once before after while")
+_CONDITIONS = word_set("if unless when whenever once before after while until till soon")
 _NO_CONDITIONS = frozenset({("once", "more"), ("once", "again"), ("after", "that"), ("at", "once")})
 _STATES = frozenset({"make", "ensure", "check", "see", "be", "keep", "know", "think"})
 _MOVING = frozenset({"go", "move", "walk", "drive", "come", "change", "switch", "get"})
@@ -46,6 +46,8 @@ def doubt(draft: Draft, text: str, frames: Sequence[VerbFrame], looks: Looks) ->
     said = ", then ".join(_in_words(frame) for frame in frames)
     if problem := _problem(draft, frames, looks):
         return Doubt(problem)
+    if any("where" in sentence[1:] for sentence in sentences(tokenise(text))):
+        return Doubt(_WHERE)
     if _has_condition(text):
         return Doubt(question=_CONDITION.format(said=said))
     if _is_one_unknown_word(draft, frames):
@@ -120,9 +122,17 @@ def _has_condition(text: str) -> bool:
 
 def _is_figure_of_speech(tokens: Sequence[str], at: int) -> bool:
     """As in "if you can", "once more", "when you are done"."""
+    if tokens[at] == "soon" and tokens[at - 1 : at] != ["as"]:
+        return True
+    if tokens[at] == "soon":
+        return _is_figure_of_speech_at(tokens, at - 1)
     around = [tuple(tokens[at : at + 2]), tuple(tokens[max(at - 1, 0) : at + 1])]
     if not _NO_CONDITIONS.isdisjoint(around) or tuple(tokens[at + 1 : at + 4]) in _READY:
         return True
+    return _is_figure_of_speech_at(tokens, at)
+
+
+def _is_figure_of_speech_at(tokens: Sequence[str], at: int) -> bool:
     fixed = ADVERB_PHRASES.get(tokens[at], ())
     return any(tuple(tokens[at : at + len(words)]) == words for words in fixed)
 
@@ -144,6 +154,7 @@ _ROOM = (
     " If you mean a thing here, please give its name."
 )
 _STATE = "Please say it as something to do with a thing: open it, close it, turn it off."
+_WHERE = "I cannot tell what place that is. Name the place itself, as in: on the table."
 _CONDITION = (
     "I cannot wait for anything, or do something only if something else is so."
     " Shall I do this now: {said}?"

@@ -29,6 +29,8 @@ Words = tuple[str, ...]
 def answer(draft: Draft, text: str) -> str:
     """The answer to a question in a sentence or two; empty where the robot has none."""
     words = tuple(t for t in tokenise(spelled_out(text)) if t not in {COMMA, STOP, "please"})
+    told_to = next((lead for lead in _TELL if words[: len(lead)] == lead), ())
+    words = _straight(words[len(told_to) :])
     if words in _ABOUT_KNOWLEDGE:
         return known_verbs(draft)
     if words in _ABOUT_PLACE:
@@ -37,9 +39,17 @@ def answer(draft: Draft, text: str) -> str:
         lead = next((lead for lead in leads if words[: len(lead)] == lead), ())
         if lead and words[len(lead) :] and (said := told(draft, words[len(lead) :])):
             return said
-    if words[:1] in {("is",), ("are",)} and (said := _how_it_is(draft, words[1:])):
+    if words[:1] and words[0] in _COPULAS and (said := _how_it_is(draft, words[1:])):
         return said
     return "To hear why I asked or did something, say why." if words[:1] == ("why",) else ""
+
+
+def _straight(words: Words) -> Words:
+    """The question in "if the fridge is open": is the fridge open."""
+    at = next((at for at, word in enumerate(words) if word in _COPULAS), 0)
+    if words[:1] in {("if",), ("whether",)} and at:
+        return (words[at], *words[1:at], *words[at + 1 :])
+    return words
 
 
 def known_verbs(draft: Draft) -> str:
@@ -68,6 +78,7 @@ def _how_to(draft: Draft, words: Words) -> str:
 
 def _where(draft: Draft, words: Words) -> str:
     speech = _speech(draft)
+    words = words[:-1] if words[-1] in {"is", "are", "here", "there"} and words[1:] else words
     things = _things(draft, words, speech.looks)
     if not things:
         return f'I see nothing that I would call "{" ".join(words)}".'
@@ -147,7 +158,8 @@ def _things(draft: Draft, words: Sequence[str], looks: Looks) -> list[str]:
     if told is None:
         return []
     spoken = [thing for _, thing in draft.state.spoken]
-    return [thing for thing, weight in refer(told, looks, spoken) if looks.is_thing(thing)]
+    found = [(thing, fit) for thing, fit in refer(told, looks, spoken) if looks.is_thing(thing)]
+    return [thing for thing, fit in found if fit == found[0][1]]
 
 
 def _sentence(said: str) -> str:
@@ -156,6 +168,7 @@ def _sentence(said: str) -> str:
 
 
 _HELD = "grasping"
+_COPULAS = frozenset({"is", "are"})
 _ABOUT_KNOWLEDGE = frozenset(
     phrase_list("""
         what do you know, what can you do, what do you know now, what can you do now, what have you
@@ -172,7 +185,9 @@ _HOW_TO = phrase_list("""
     have you learnt how to, have you learnt to, did you learn how to, did you learn to,
     are you able to, do you already know how to, did i teach you how to, did i teach you to
 """)
+_TELL = phrase_list("tell me, can you tell me, could you tell me, would you tell me")
 _WHERE = phrase_list("""
+    where, see, if there is, whether there is,
     where is, where are, where 's, where did you put, where do you see, do you see, can you see,
     is there, are there, do you know where, which is, where was, what about
 """)

@@ -22,7 +22,7 @@ from verbteach.language.frames import Argument, NounPhrase, VerbFrame
 from verbteach.language.grammar import EMPTY_LEXICON, Unread, explain_unread, parse
 from verbteach.language.looks import Looks
 from verbteach.language.refer import Candidates, refer
-from verbteach.language.small_talk import Talk, small_talk, to_be_shown
+from verbteach.language.small_talk import Talk, asks_in_a_command, small_talk, to_be_shown
 from verbteach.language.typos import suggest, suggest_verb
 from verbteach.language.wording import Wording
 
@@ -76,12 +76,13 @@ def read_command(draft: Draft, text: str, *, as_said: bool = False) -> CommandRe
     if leaning is not None and (read := _once_more(draft, leaning)) is not None:
         return read
     setting = draft.mind.setting
-    talk = small_talk(text)
-    frames = () if talk else parse(text, setting.lexicon, setting.vocabulary)
+    talk, asks = small_talk(text), asks_in_a_command(text)
+    frames = () if talk or asks else parse(text, setting.lexicon, setting.vocabulary)
     if not frames:
-        why = explain_unread(text, setting.lexicon, setting.vocabulary) or Unread.NO_VERB
+        unread = explain_unread(text, setting.lexicon, setting.vocabulary) or Unread.NO_VERB
+        why = Unread.QUESTION if asks else unread
         problem = _TALKED[talk] if talk else _UNREAD[why]
-        asks = talk is Talk.HELP or why is Unread.QUESTION
+        asks = talk is Talk.HELP or (talk is None and why is Unread.QUESTION)
         return CommandReading((), problem.format(example=_example(setting)), asks=asks)
     typo = None if as_said else _verb_typo(draft, text, frames)
     if typo is None and _is_nonsense(draft, frames):

@@ -124,7 +124,7 @@ _NEITHER = phrase_list(
 )
 """Begin like a yes or a no and are none."""
 _BETWEEN = frozenset({COMMA, STOP}) | word_set(
-    "please thanks well oh hm hmm mm um uh er erm ah eh sorry"
+    "please thanks well oh hm hmm mm um uh er erm ah eh sorry robot"
 )
 _CANDID = word_set("honestly actually frankly oops")
 """May stand anywhere and change nothing."""

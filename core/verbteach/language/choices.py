@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import Enum
+from itertools import pairwise
 
 from verbteach.language.tokens import spelled_out, tokenise
 from verbteach.language.wordlist import phrase_list, word_set
@@ -92,7 +93,10 @@ _AROUND = word_set(
     "please thanks oh well hm hmm um uh er ah sorry actually probably maybe perhaps definitely "
     "surely certainly just rather ok okay so then now only and but"
 )
-_BUT = phrase_list("anything but, any but, all but, everything but, anything except, any except")
+_BUT = phrase_list(
+    "anything but, any but, all but, everything but, anything except, any except, except, without"
+)
+_WHICH_IS = (("that", "'s"), ("that", "is"), ("which", "is"), ("that", "are"), ("which", "are"))
 _INSTEAD = phrase_list("instead of, rather than, and not, but not, not")
 _ABSENT = phrase_list("there is no, there are no, there 's no, i have no, we have no, i see no")
 _NUMBERED = word_set("number no option choice nr")
@@ -158,6 +162,9 @@ def _one(tokens: Sequence[str]) -> tuple[str, ...]:
     """The words as a noun phrase: "on the table" is the one on the table, "left" the left one."""
     if not tokens:
         return ()
+    for at, pair in enumerate(pairwise(tokens)):
+        if pair in _WHICH_IS:
+            return _one([*tokens[:at], *tokens[at + 2 :]])
     if tokens[0] in PREPOSITIONS and len(tokens) > 1:
         return (" ".join(["the one", *tokens]),)
     if len(tokens) == 1 and (tokens[0] in ORDINALS or tokens[0] in _SIDES):
@@ -170,7 +177,7 @@ def _index(tokens: list[str]) -> int | None:
     numbered = [*tokens[1:]] if tokens[0] == "the" else tokens
     if len(numbered) == 2 and numbered[0] in _NUMBERED:
         numbered = numbered[1:]
-    if len(numbered) != 1 or (numbered is tokens and tokens[0] == "the"):
+    if len(numbered) != 1:
         return None
     word = numbered[0]
     if word.isdecimal() and len(word) < 3 and int(word) > 0:

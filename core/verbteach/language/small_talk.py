@@ -38,7 +38,8 @@ _SAID = {
         how do i teach you, how does this work, how do i show you, i do not understand,
         i do not get it, i need help, huh, eh, excuse me, sorry, pardon, where am i, who are you,
         i am lost, i am stuck, let us start, let us begin, let us go, start, begin,
-        are you ready, come on, go ahead, you do it, do it yourself, do it,
+        are you ready, come on, go ahead, carry on,
+        proceed, continue, go on, you do it, do it yourself, do it,
         you know that, you know that already, you already know that, see, you see, got it,
         did you get that, understood, did you understand, what can you do for me, what do you want,
         what are the steps, which steps are there, what are the options, i can not, please
@@ -122,6 +123,11 @@ _TO_BE_SHOWN = re.compile(
     r"|learn\s+(?:how\s+)?to|(?:watch|look|see)(?:\s+me)?\s+how\s+(?:i|to))\s+(?P<command>\S.*)",
     re.IGNORECASE | re.DOTALL,
 )
+_ASKING = re.compile(
+    r"\s*(?:(?:please|now)\s+)*(?:(?:can|could|would|will)\s+you\s+(?:please\s+)?)?"
+    r"(?:tell\s+me|(?<=you )see\b|say)\s+(?:where|what|which|whether|if|how|who|the|a|any)\b",
+    re.IGNORECASE,
+)
 _AROUND = frozenset({COMMA, STOP}) | word_set(
     "please robot well oh um uh hm so and but now then ok okay"
 )
@@ -140,6 +146,11 @@ def small_talk(text: str) -> Talk | None:
         kinds = {_kind(part) for part in parts}
         found = kinds.pop() if len(kinds) == 1 and len(parts) > 1 else None
     return found
+
+
+def asks_in_a_command(text: str) -> bool:
+    """Whether a question is put like a command: "tell me where the pot is"."""
+    return _ASKING.match(text) is not None
 
 
 def to_be_shown(text: str) -> str:
