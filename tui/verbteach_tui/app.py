@@ -64,6 +64,7 @@ class VerbteachApp(App[None]):
     """The teaching room and its way in."""
 
     TITLE = "verbteach"
+    QUITTING = "{key} quits. All that you taught is kept."
     CSS_PATH = "app.tcss"
     COMMAND_PALETTE_BINDING = "ctrl+p"
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -88,6 +89,15 @@ class VerbteachApp(App[None]):
         for name in stock:
             if name not in {theme.name for theme in THEMES}:
                 self.unregister_theme(name)
+
+    def action_help_quit(self) -> None:
+        """Ctrl+C is for copying: say what quits, and that nothing is lost by it."""
+        for key, active in self.active_bindings.items():
+            if active.binding.action in ("quit", "app.quit"):
+                pressed = self.get_key_display(active.binding.with_key(key))
+                said = self.QUITTING.format(key=pressed)
+                self.notify(said, title="Do you want to quit?", markup=False)
+                return
 
     def get_theme_variable_defaults(self) -> dict[str, str]:
         """The app's own colours, for a theme that does not name them."""

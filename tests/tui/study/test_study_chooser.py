@@ -14,10 +14,11 @@ from tests.tui.room import NARROW, options
 from tests.tui.study.led import study_file
 from verbteach_tui.app import VerbteachApp
 from verbteach_tui.beginning import Beginning
-from verbteach_tui.options import OpenHome
+from verbteach_tui.options import OpenHome, OpenNew
 from verbteach_tui.room import app_options
 from verbteach_tui.screens.home import HomeScreen
 from verbteach_tui.screens.studies import StudyChooser
+from verbteach_tui.screens.teach import TeachScreen
 
 
 async def test_a_study_nearby_is_offered_and_begun_with_a_code(
@@ -81,6 +82,21 @@ async def test_a_study_with_noise_of_a_kind_that_is_nowhere_is_not_begun(
         assert "study.toml:27" in said
         assert "'onn'" in said
         assert app.afterwards is None
+
+
+async def test_who_presses_ctrl_c_is_told_how_to_quit_and_what_becomes_of_it(
+    tmp_path: Path,
+) -> None:
+    app = VerbteachApp(options(tmp_path / "s", OpenNew("kitchen-1")))
+    async with piloted(app) as pilot:
+        for _ in range(200):
+            await pilot.pause(0.02)
+            if isinstance(app.screen, TeachScreen):
+                break
+        await pilot.press("tab", "ctrl+c")
+        await pilot.pause()
+        (told,) = app._notifications
+        assert told.message == "^q quits. All that you taught is kept."
 
 
 async def test_where_the_app_is_served_there_is_no_study_to_choose(tmp_path: Path) -> None:

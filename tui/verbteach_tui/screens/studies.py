@@ -53,6 +53,7 @@ class StudyChooser(ModalScreen[Chosen | None]):
         """A list, a line for another file, a line for the code."""
         with Vertical(classes="dialog") as dialog:
             dialog.border_title = "Take part in a study"
+            dialog.border_subtitle = "Enter begins, Tab goes to the lines"
             yield OptionList(id="studies", compact=True)
             yield Static("Or another file, and Enter:", classes="quiet")
             yield Input(placeholder="my-study/study.toml", id="file", compact=True)

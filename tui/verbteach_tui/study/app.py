@@ -34,6 +34,8 @@ class StudyApp(VerbteachApp):
     CSS_PATH = "../app.tcss"
     CSS: ClassVar[str] = (Path(__file__).parent / "study.tcss").read_text("utf-8")
 
+    QUITTING = "{key} quits. You can come back later."
+
     class Moved(Message):
         """A worker has kept what was done; ``lead`` is what to say before the next step."""
 

@@ -201,7 +201,7 @@ def _answer(item: Scale | Question, word: str) -> int | str:
     try:
         return read_rating(word)
     except ValueError as error:
-        raise MisfitError(str(error)) from error
+        raise MisfitError(f"{error}, or skip") from error
 
 
 def _lines(text: str) -> list[str]:

@@ -48,6 +48,14 @@ class RatingBar(RowsView):
         """Draw it."""
         self.show(self._drawn)
 
+    def on_focus(self) -> None:
+        """Say what the keys do where they are."""
+        self.border_subtitle = "← → mark, Tab goes on"
+
+    def on_blur(self) -> None:
+        """The keys are elsewhere."""
+        self.border_subtitle = ""
+
     def redrawn(self) -> None:
         """Take as many rows as the question needs at this width, and two for the frame."""
         self.styles.height = len(self.rows) + 2
