@@ -90,11 +90,11 @@ def _np_grd_whq(act: acts.NpGrdWhq, about: _About) -> str:
 
 
 def _which(phrase: str, about: _About) -> str:
-    """Which is the mug; of several things, since one is taken: which one do you mean."""
+    """Which is the mug; of "a mug" or of several, since one is taken: which one do you mean."""
     said = about.episode.frame.phrases if about.episode else ()
     guessed = about.episode.guessed if about.episode else frozenset()
-    several = phrase.split(" ", 1)[0].lower() in _QUANTIFIERS
-    if several or phrase in guessed or any(one.text == phrase and one.plural for one in said):
+    open_choice = phrase.split(" ", 1)[0].lower() in _QUANTIFIERS
+    if open_choice or phrase in guessed or any(one.text == phrase and one.plural for one in said):
         return f"Which one do you mean by {_quoted(phrase)}"
     return f"Which is {_the(phrase)}"
 
@@ -102,6 +102,8 @@ def _which(phrase: str, about: _About) -> str:
 def _np_grd_ynq(act: acts.NpGrdYnq, about: _About) -> str:
     if about.episode and act.np in about.episode.guessed:
         return f"I do not know {_quoted(act.np)}. Do you mean {about.speech.thing(act.object)}?"
+    if not about.speech.looks.is_thing(act.object):
+        return f"By {_quoted(act.np)}, do you mean {about.speech.thing(act.object)} itself?"
     return f"I see {glimpse(act.object, about.speech.looks)}, is that {_the(act.np)}?"
 
 
@@ -281,7 +283,9 @@ _DETERMINERS = frozenset({
     *("this", "that", "these", "those", "some", "any", "it", "them"),
 })  # fmt: skip
 
-_QUANTIFIERS = frozenset({"all", "both", "every", "each", "another", "everything", "any"})
+_QUANTIFIERS = frozenset({
+    *("a", "an", "some", "all", "both", "every", "each", "another", "everything", "any", "either"),
+})  # fmt: skip
 _POINTERS = PRONOUNS | frozenset({
     *("there", "here", "both", "all", "all of them", "both of them", "them all", "them both"),
     *("the other one", "the other", "another one", "the same", "the same one", "this one"),
