@@ -43,6 +43,7 @@ async def do(pilot: Pilot[None], step: Step) -> None:
         screen.guard = KeyGuard(0.0, 0.0)
     if step.line:
         line = screen.query_one(CommandInput)
+        line.cursor_blink = False  # a picture does not hang on when it is taken
         line.focus()
         await _until(pilot, lambda: line.has_focus, step)
         line.value = step.line
