@@ -4,21 +4,26 @@ from __future__ import annotations
 
 import os
 import time
+from dataclasses import replace
 from pathlib import Path
+from threading import Event
 from typing import Any
 
 import numpy as np
 import pytest
 from textual import events
 from textual.pilot import Pilot
+from textual.widgets import Static
 
 from tests.tui.frames import piloted
-from tests.tui.room import NORMAL, PATIENCE, SETTINGS, SHOWN, learn_to_open, room
+from tests.tui.room import NORMAL, PATIENCE, SETTINGS, SHOWN, learn_to_open, options, room
 from tests.tui.strategies import NASTY
 from verbteach_sessions.errors import StorageError
 from verbteach_sessions.session import Session
-from verbteach_tui.options import OpenHome, OpenSession
+from verbteach_tui.app import VerbteachApp
+from verbteach_tui.options import OpenHome, OpenNew, OpenSession
 from verbteach_tui.screens.failure import FailureScreen
+from verbteach_tui.screens.opening import OpeningScreen
 from verbteach_tui.screens.teach import TeachScreen
 from verbteach_tui.views.rows import plain
 from verbteach_tui.views.visible import visible
@@ -43,6 +48,28 @@ async def test_nasty_commands_print_as_themselves(tmp_path: Path) -> None:
         image = here.app.export_screenshot()
         assert "\x1b" not in image
         assert not any(ord(c) < 32 and c not in "\n\t" for c in image)
+
+
+async def test_what_is_typed_while_the_room_opens_stands_in_its_line(tmp_path: Path) -> None:
+    ready = Event()
+    chosen = options(tmp_path, OpenNew("kitchen-1"))
+
+    def create(scene: str) -> Session:
+        assert ready.wait(PATIENCE)
+        return chosen.create(scene)
+
+    app = VerbteachApp(replace(chosen, create=create))
+    async with piloted(app) as pilot:
+        await pilot.press(*"/opem", "backspace", *"n it")
+        assert isinstance(app.screen, OpeningScreen)
+        assert "open it" in str(app.screen.query_one("#opening", Static).content)
+        ready.set()
+        for _ in range(300):
+            await pilot.pause(0.02)
+            if isinstance(app.screen, TeachScreen) and app.screen.query_one(CommandInput).value:
+                break
+        assert app.screen.query_one(CommandInput).value == "open it"
+    app.close_sessions()
 
 
 PRINTABLE = [*"ynsgbtwrufUmdx?/0123456789 +-e", "space"]

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from verbteach.world.scene import Scene
     from verbteach_tui.lab.lab import Lab
     from verbteach_tui.screens.studies import Chosen
+    from verbteach_tui.screens.teach import TeachScreen
     from verbteach_tui.teaching import Teaching
 
 WARMING = 0.5
@@ -198,9 +199,16 @@ class VerbteachApp(App[None]):
         from verbteach_tui.screens.teach import TeachScreen
 
         room = TeachScreen(message.teaching, self.options.speed, self.options.scenes(), self.load)
-        self.switch_screen(room)
+        self.enter(room)
         if self._is_first_time():
             room.call_after_refresh(room.action_tour)
+
+    def enter(self, room: TeachScreen) -> None:
+        """Into a room; what was typed while it was opened stands in its line."""
+        before = self.screen
+        self.switch_screen(room)
+        if isinstance(before, OpeningScreen) and before.typed:
+            room.call_after_refresh(room.take_early, before.typed)
 
     def _is_first_time(self) -> bool:
         """Whether the tour was never offered here; from now on it was."""

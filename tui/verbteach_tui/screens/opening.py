@@ -1,7 +1,8 @@
-"""What is shown for the moment that a session takes to open."""
+"""What is shown for the moment that a session takes to open, and what is typed in it."""
 
 from __future__ import annotations
 
+from textual import events
 from textual.app import ComposeResult
 from textual.screen import Screen
 from textual.widgets import Static
@@ -10,12 +11,26 @@ from verbteach_tui.views.visible import visible
 
 
 class OpeningScreen(Screen[None]):
-    """One line in the middle of the screen."""
+    """One line in the middle of the screen. ``typed`` is for the line of the room to come."""
 
     def __init__(self, what: str) -> None:
         super().__init__()
         self._what = what
+        self.typed = ""
 
     def compose(self) -> ComposeResult:
         """The line."""
-        yield Static(f"Opening {visible(self._what)} …", markup=False, id="opening")
+        yield Static(self._said, markup=False, id="opening")
+
+    @property
+    def _said(self) -> str:
+        typed = f"\n{visible(self.typed)}" if self.typed else ""
+        return f"Opening {visible(self._what)} …{typed}"
+
+    def on_key(self, event: events.Key) -> None:
+        """Who types at once loses nothing by it."""
+        if event.is_printable and event.character is not None:
+            self.typed += event.character
+        elif event.key == "backspace":
+            self.typed = self.typed[:-1]
+        self.query_one("#opening", Static).update(self._said)

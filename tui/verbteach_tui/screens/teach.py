@@ -91,6 +91,11 @@ class TeachScreen(AnsweringScreen):
         for notice in self.teaching.notices:
             self.notify(visible(notice), title="The record was repaired", markup=False, timeout=12)
 
+    def take_early(self, typed: str) -> None:
+        """What was typed before the room was there, where a command is waited for."""
+        if self.snapshot.phase is Phase.COMMAND:
+            self.query_one(CommandInput).begin_with(typed.lstrip("/ "))
+
     # ---- showing
 
     def _show(self, snapshot: Snapshot, played: bool) -> None:

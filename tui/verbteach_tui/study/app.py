@@ -137,7 +137,7 @@ class StudyApp(VerbteachApp):
         room = LessonScreen(
             run, message.teaching, self.options.speed, self.load, is_practice(run.step)
         )
-        self.switch_screen(room)
+        self.enter(room)
 
     def on_session_left(self, message: SessionLeft) -> None:
         """The stretch is over, or the participant has left it."""

@@ -102,6 +102,11 @@ class CommandInput(Input):
             self.value = text
             self.cursor_position = len(text)
 
+    def begin_with(self, text: str) -> None:
+        """Put what was typed before this line was there in front of what is."""
+        self.value = text + self.value
+        self.cursor_position = len(self.value)
+
     def action_earlier(self) -> None:
         """Bring back what was said before."""
         self._recall(self._back + 1)
