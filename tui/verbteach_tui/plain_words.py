@@ -126,7 +126,7 @@ def promise_lines(snapshot: Snapshot) -> list[str]:
 def verb_lines(snapshot: Snapshot) -> list[str]:
     """The verbs and what each means most likely."""
     lines = [
-        f"{verb.title}: {'; '.join(verb.meaning)} ({verb.hypotheses} hypotheses)"
+        f"{verb.title}: {'; '.join(verb.meaning)} ({verb.hypotheses_held})"
         for verb in snapshot.mind.verbs
     ]
     return lines or ["The robot knows no verb yet."]

@@ -66,6 +66,11 @@ class KnownVerb(NamedTuple):
     news: bool = False
     target: str = ""
 
+    @property
+    def hypotheses_held(self) -> str:
+        """How many hypotheses, in words."""
+        return f"{self.hypotheses} hypothes{'is' if self.hypotheses == 1 else 'es'}"
+
 
 @dataclass(frozen=True)
 class Mind:
@@ -181,10 +186,9 @@ def _verbs(verbs: Iterable[KnownVerb], above: Sequence[Row], width: int) -> list
 
 def _verb(verb: KnownVerb, width: int) -> list[Row]:
     mark = Span("✱ ", "new") if verb.news else Span("  ")
-    count = f"{verb.hypotheses} hypothes{'is' if verb.hypotheses == 1 else 'es'}"
     shown = f"{verb.demonstrations} lesson{'s' * (verb.demonstrations != 1)}"
     title = Span(verb.title, "strong", verb.target)
-    rows = [clipped([mark, title, Span(f"  {count}, {shown}", "muted")], width)]
+    rows = [clipped([mark, title, Span(f"  {verb.hypotheses_held}, {shown}", "muted")], width)]
     if verb.meaning:
         rows += wrapped([Span("; ".join(verb.meaning))], width, 4, [Span("    ")])
     return rows
