@@ -5,7 +5,7 @@ from __future__ import annotations
 import multiprocessing
 import stat
 from collections import Counter
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import pytest
@@ -169,6 +169,16 @@ def test_participants_who_come_at_once_never_share_a_place(tmp_path: Path) -> No
     assert [row.slot for row in status.rows] == list(range(8))
     assert all(row.order == order_of(study(), row.slot or 0) for row in status.rows)
     assert {one.given for one in status.balance} == {4}
+
+
+def test_status_says_when_something_was_done_last_whatever_it_was(tmp_path: Path) -> None:
+    times = iter([NOW, NOW + timedelta(minutes=2), NOW + timedelta(minutes=31)])
+    raw = SMALL.encode()
+    with Visit.enter(tmp_path, study(), raw, "aaaa", "plain", lambda: next(times)) as visit:
+        visit.done()
+        visit.done()
+    (row,) = status_of(study(), tmp_path).rows
+    assert row.seen == "2030-01-02T03:35:05+00:00"
 
 
 def test_status_says_who_is_where(tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from datetime import datetime, timedelta
 from pathlib import Path
 from typing import Any
 
@@ -73,7 +74,6 @@ class Progress:
     def take(self, event: Event) -> None:
         """Take an event that fits."""
         data = event.data
-        self.seen = data.get("created", self.seen)
         if event.type == kinds.ENROLLED:
             self.enrolled = data
         elif event.type == kinds.BEGAN:
@@ -82,3 +82,13 @@ class Progress:
             self.done[data["step"]] = data["why"]
         elif event.type == kinds.FINISHED:
             self.completion = data["completion"]
+        self.seen = _moment(self.enrolled.get("created", ""), event.at)
+
+
+def _moment(begun: str, seconds: float) -> str:
+    """The time of day so many seconds after ``begun``, or that where no such time can be told."""
+    try:
+        moment = datetime.fromisoformat(begun) + timedelta(seconds=seconds)
+    except (ValueError, OverflowError):
+        return begun
+    return moment.isoformat(timespec="seconds")
