@@ -17,8 +17,11 @@ from verbteach.dialogue.understanding import (
 from verbteach.language.ellipsis import read_ellipsis
 from verbteach.language.frames import VerbFrame
 from verbteach.language.tokens import tokenise
+from verbteach.language.wordlist import word_set
 
-_SEQUENCE = frozenset({"now", "then", "next", "please", "and", ",", ".", "so", "also"})
+_BEFORE_A_VERB = frozenset({",", "."}) | word_set(
+    "now then next please and so also you can could may should would must i want to"
+)
 
 
 def hear(draft: Draft, text: str) -> None:
@@ -70,7 +73,7 @@ def put_behind(draft: Draft, text: str) -> bool:
     reading = read_command(draft, text) if text else None
     if reading is None or not reading.frames or reading.disputed or reading.question:
         return False
-    words = [word for word in tokenise(text) if word not in _SEQUENCE]
+    words = [word for word in tokenise(text) if word not in _BEFORE_A_VERB]
     if read_ellipsis(text) is None and words[:1] != [reading.frames[0].verb.split(" ")[0]]:
         return False
     draft.remember(clauses=(*draft.state.clauses, *reading.frames))

@@ -55,7 +55,7 @@ def _straight(words: Words) -> Words:
 def known_verbs(draft: Draft) -> str:
     """The verbs that the robot has learned, as a sentence."""
     verbs = [f'"{verb}"' for verb in draft.state.knowledge.verbs]
-    return f"I have learned {listing(verbs)}." if verbs else "I have learned no verb yet."
+    return f"I have learned {listing(verbs)}." if verbs else _NOTHING_LEARNED
 
 
 def _speech(draft: Draft) -> Speech:
@@ -167,6 +167,7 @@ def _sentence(said: str) -> str:
     return f"{told[:1].upper()}{told[1:]}."
 
 
+_NOTHING_LEARNED = "I have learned no verb yet: tell me what to do, and show me how."
 _HELD = "grasping"
 _COPULAS = frozenset({"is", "are"})
 _ABOUT_KNOWLEDGE = frozenset(
@@ -177,7 +178,9 @@ _ABOUT_KNOWLEDGE = frozenset(
         commands do you know, which commands do you know, which verbs have you learned, what verbs
         have you learned, which verbs can you do, what things can you do, what have you learned so
         far, what do you know so far, what do you know how to do, what can i tell you to do,
-        what have you learnt, what did you learn so far
+        what have you learnt, what did you learn so far,
+        what you can do, what you know, what you have learned, what you learned, which verbs you
+        know, what verbs you know
     """)
 )
 _HOW_TO = phrase_list("""
@@ -185,7 +188,7 @@ _HOW_TO = phrase_list("""
     have you learnt how to, have you learnt to, did you learn how to, did you learn to,
     are you able to, do you already know how to, did i teach you how to, did i teach you to
 """)
-_TELL = phrase_list("tell me, can you tell me, could you tell me, would you tell me")
+_TELL = phrase_list("tell me, can you tell me, could you tell me, would you tell me, show me")
 _WHERE = phrase_list("""
     where, see, if there is, whether there is,
     where is, where are, where 's, where did you put, where do you see, do you see, can you see,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -22,11 +23,19 @@ from verbteach.language.frames import Argument, NounPhrase, VerbFrame
 from verbteach.language.grammar import EMPTY_LEXICON, Unread, explain_unread, parse
 from verbteach.language.looks import Looks
 from verbteach.language.refer import Candidates, refer
-from verbteach.language.small_talk import Talk, asks_in_a_command, small_talk, to_be_shown
+from verbteach.language.small_talk import (
+    Talk,
+    asks_in_a_command,
+    small_talk,
+    to_be_shown,
+    without_greeting,
+)
 from verbteach.language.typos import suggest, suggest_verb
 from verbteach.language.wording import Wording
 
 _ALL = frozenset({"all", "both"})
+_CALLED = re.compile(r"(?:,|(?<=please)|(?<=thanks)|(?<=now))\s+robot[\s.!?]*$", re.IGNORECASE)
+"""The robot called at the end of a command."""
 _LONGEST_COMMAND = 1000
 """Letters: nobody says more in one command, and the record need not carry a book."""
 
@@ -69,6 +78,7 @@ def read_command(draft: Draft, text: str, *, as_said: bool = False) -> CommandRe
     """
     if len(text) > _LONGEST_COMMAND:
         return CommandReading((), "That is too long for me. Please say it in a sentence or two.")
+    text = _CALLED.sub("", without_greeting(text)) or text
     if shown := to_be_shown(text):
         reading = read_command(draft, shown, as_said=as_said)
         return replace(reading, shown=len(reading.frames) == 1)

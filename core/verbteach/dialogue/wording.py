@@ -285,6 +285,7 @@ _DETERMINERS = frozenset({
 
 _QUANTIFIERS = frozenset({
     *("a", "an", "some", "all", "both", "every", "each", "another", "everything", "any", "either"),
+    *("something", "anything", "one"),
 })  # fmt: skip
 _POINTERS = PRONOUNS | frozenset({
     *("there", "here", "both", "all", "all of them", "both of them", "them all", "them both"),

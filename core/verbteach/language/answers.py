@@ -51,7 +51,8 @@ _YES = """
     be, it is so, it has, it was, it will, they have, so it is, i am sure, sounds good, yea, you got
     it, i would say so, i would say yes, that is the right one, that 's the right one, i do, i did,
     of course i do, of course it is, of course it should, it must, must be, should be, has to be,
-    obviously, always, exactly right, quite right, k, kk, sure why not, i guess, i suppose, i think
+    obviously, always, okey, oki, okie, yeahh, exactly right, quite right, k, kk, sure why not, i
+    guess, i suppose, i think
     yes, i think it is, i think it does, i think it should, i believe it is, it matters, it is
     important, that is important, important, that is what i meant, that 's what i meant, that is
     what i mean, that 's what i mean, i meant that, i mean that, that is so, necessarily, very much
@@ -151,6 +152,7 @@ def _table(*rows: tuple[str, Label]) -> _Table:
 
 # A lone "n" is a no here; the tokens of commands take it for "and".
 _LETTER_N = re.compile(r"(?<![\w'])n(?![\w'])")
+_DRAWN_OUT = re.compile(r"([a-z])\1{2,}")
 _HUMS = (
     (re.compile(r"\b(?:n[au]h[ -]?uh|uh[ -]uh)\b"), "no"),
     (re.compile(r"\b(?:uh|a)[ -]?huh\b|\bm+[ -]?hm+\b"), "yes"),
@@ -189,7 +191,7 @@ def read_answer(text: str, *, verdict: bool = False) -> AnswerReading:
 def _without_hums(text: str) -> str:
     for hum, word in _HUMS:
         text = hum.sub(word, text)
-    return text
+    return _DRAWN_OUT.sub(r"\1", text)
 
 
 def _past(tokens: Sequence[str]) -> Iterator[Sequence[str]]:

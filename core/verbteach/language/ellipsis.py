@@ -29,7 +29,8 @@ _AGAIN = frozenset(
         the same again, same again, do the same, do the same again, do the same thing again,
         the same, same, same thing, the same thing, same thing again, the same thing again,
         and again, repeat it, repeat that, do that one more time, try again, try it again, try that
-        again
+        again, repeat the last command, repeat the command, repeat my last command, do the last
+        thing again, do the last command again, do what you did last, do that last thing again
     """)
 )
 _LEADS = phrase_list("""

@@ -42,7 +42,9 @@ _SAID = {
         proceed, continue, go on, you do it, do it yourself, do it,
         you know that, you know that already, you already know that, see, you see, got it,
         did you get that, understood, did you understand, what can you do for me, what do you want,
-        what are the steps, which steps are there, what are the options, i can not, please
+        what are the steps, which steps are there, what are the options, i can not, please, can you
+        help me,
+        could you help me, help me please, please help me
     """,
     Talk.DONE: """
         done, i am done, that is it, that is all, that 's it, that 's all, finished, i am finished,
@@ -79,7 +81,9 @@ _SAID = {
         take the last step back, undo the last step, undo that step, undo everything, go back one,
         go back a step, go back one step, one step back, step back, not like that, wrong step,
         forget everything, forget what i taught you, forget what i showed you, forget what i said,
-        forget what you learned, forget all that, unlearn that, unlearn it
+        undo the last command, undo my last command, take back what i said, undo what i said,
+        take back my last command, forget what you learned, forget all that, unlearn that, unlearn
+        it
     """,
     Talk.GREETING: """
         hello, hi, hey, hello there, hi there, hey there, good morning, good day, good evening,
@@ -123,13 +127,17 @@ _TO_BE_SHOWN = re.compile(
     r"|learn\s+(?:how\s+)?to|(?:watch|look|see)(?:\s+me)?\s+how\s+(?:i|to))\s+(?P<command>\S.*)",
     re.IGNORECASE | re.DOTALL,
 )
+_POLITE = frozenset({Talk.GREETING, Talk.REPLY})
+_FIRST_PART = re.compile(r"\s*(?P<first>[^,.!?;:]+)[,.!?;:]+\s*(?P<rest>\w.*)", re.DOTALL)
 _ASKING = re.compile(
     r"\s*(?:(?:please|now)\s+)*(?:(?:can|could|would|will)\s+you\s+(?:please\s+)?)?"
-    r"(?:tell\s+me|(?<=you )see\b|say)\s+(?:where|what|which|whether|if|how|who|the|a|any)\b",
+    r"(?:(?:tell|show)\s+me\s+(?:where|what|which|whether|if|how|who)"
+    r"|(?<=you )see\s+(?:the|a|any|my)|say\s+(?:where|what|which|whether|if))\b"
+    r"|\s*(?:whats|wheres|hows|whos)\b",
     re.IGNORECASE,
 )
 _AROUND = frozenset({COMMA, STOP}) | word_set(
-    "please robot well oh um uh hm so and but now then ok okay"
+    "please robot well oh um uh hm so and but now then ok okay sorry"
 )
 _TABLE = {words: kind for kind, text in reversed(_SAID.items()) for words in phrase_list(text)}
 
@@ -144,8 +152,16 @@ def small_talk(text: str) -> Talk | None:
     if found is None:
         parts = [part for part in _parts(tokens) if not set(part) <= _AROUND]
         kinds = {_kind(part) for part in parts}
+        kinds = kinds - _POLITE or kinds
         found = kinds.pop() if len(kinds) == 1 and len(parts) > 1 else None
     return found
+
+
+def without_greeting(text: str) -> str:
+    """The text without the greetings and thanks, parted off by a mark, that stand before it."""
+    found = _FIRST_PART.match(text)
+    polite = found is not None and small_talk(found["first"]) in _POLITE
+    return without_greeting(found["rest"]) if found and polite else text
 
 
 def asks_in_a_command(text: str) -> bool:

@@ -56,7 +56,7 @@ _SUFFIXES = {
 _APOSTROPHES = {
     word.replace("'", ""): word
     for word in (
-        *("that's", "what's", "it's", "i'm", "i've", "they're", "you're", "there's"),
+        *("that's", "what's", "where's", "it's", "i'm", "i've", "they're", "you're", "there's"),
         *("don't", "doesn't", "didn't", "isn't", "wasn't", "aren't", "can't", "shouldn't"),
         *("needn't", "mustn't", "hasn't", "haven't", "couldn't"),
     )
