@@ -147,7 +147,9 @@ def test_an_outcome_is_as_likely_liked_as_the_hypotheses_say() -> None:
     beside = Literal(lit("nowhere"))
     for outcome in (found.goals(1)[0][0], found.goals(1)[0][0] | {beside}, frozenset({beside})):
         expected = sum(p * len(outcome & t) / len(outcome | t) for t, p in hypotheses)
-        assert found.likeness(outcome) == pytest.approx(float(expected), abs=1e-6)
+        assert (
+            found.likenesses([outcome, outcome]) == [pytest.approx(float(expected), abs=1e-6)] * 2
+        )
 
 
 def test_what_no_action_can_bring_about_is_not_proposed_and_makes_an_example_less_likely() -> None:

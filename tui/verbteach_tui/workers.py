@@ -7,12 +7,15 @@ import os
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from itertools import chain
+from typing import Any, Generic, TypeVar
 
 from verbteach_tui.conclusion import WrongUseError
 
 Task = TypeVar("Task")
 Row = TypeVar("Row")
+_BUNDLES = 8
+"""With fewer bundles for each process the last ones would be waited for too long."""
 _THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
 
@@ -39,6 +42,18 @@ class Workers:
             return map(function, tasks)
         return self._spread(function, tasks)
 
+    def bundled(
+        self, function: Callable[[Task], Row], bundles: Sequence[Sequence[Task]], /
+    ) -> Iterable[Row]:
+        """The same where tasks of a bundle share what a process remembers.
+
+        A bundle stays in one process where there are enough of them, and its
+        rows come together.
+        """
+        if self.cluster is None and self.jobs > 1 and len(bundles) >= _BUNDLES * self.jobs:
+            return chain.from_iterable(self._spread(_Bundle(function), bundles))
+        return self(function, list(chain.from_iterable(bundles)))
+
     def _spread(self, function: Callable[[Task], Row], tasks: Sequence[Task]) -> Iterator[Row]:
         from joblib import Parallel, delayed
 
@@ -56,6 +71,16 @@ class Workers:
             return
         with _client(self.cluster) as client, parallel_config(backend="dask", client=client):
             yield -1
+
+
+@dataclass(frozen=True)
+class _Bundle(Generic[Task, Row]):
+    """Does a bundle of tasks, one after another."""
+
+    function: Callable[[Task], Row]
+
+    def __call__(self, tasks: Sequence[Task]) -> list[Row]:
+        return [self.function(task) for task in tasks]
 
 
 def _kept(function: Callable[[Task], Row], task: Task) -> Row:

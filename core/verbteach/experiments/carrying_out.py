@@ -55,7 +55,7 @@ def chosen_plan(inquiry: ExecutionInquiry, room: Workroom) -> tuple[Action, ...]
     ways = list(_ways(inquiry, room))
     if not ways:
         return ()
-    best = max(ways, key=lambda way: round(_expected(inquiry, room, way), 9))
+    best = _best(inquiry, room, ways)
     if not inquiry.parameters.caution:
         return best.actions
     return careful(
@@ -81,6 +81,10 @@ def _ways(inquiry: ExecutionInquiry, room: Workroom) -> Iterator[_Way]:
             yield _Way(goal, answer.actions)
 
 
-def _expected(inquiry: ExecutionInquiry, room: Workroom, way: _Way) -> float:
-    change = room.changed(inquiry.believed, way.actions)
-    return inquiry.pool.likeness(change.literals)
+def _best(inquiry: ExecutionInquiry, room: Workroom, ways: Sequence[_Way]) -> _Way:
+    if len({way.actions for way in ways}) == 1:
+        return ways[0]
+    outcomes = [room.changed(inquiry.believed, way.actions).literals for way in ways]
+    likenesses = inquiry.pool.likenesses(outcomes)
+    best, _ = max(zip(ways, likenesses, strict=True), key=lambda pair: round(pair[1], 9))
+    return best

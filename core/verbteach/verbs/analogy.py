@@ -217,9 +217,10 @@ def _joined(found: Sequence[tuple[float, Transfer]]) -> Gathered:
     offsets = np.concatenate([np.zeros(1, np.int64), np.cumsum(sizes)])
     scores = np.array([score for score, _ in found], dtype=np.float64)
     parts = [transfer for _, transfer in found] or [NO_TRANSFER]
+    lengths = [len(part.row) for part in parts]
     return Gathered(
         np.concatenate([part.literals for part in parts]),
-        np.concatenate([part.row + start for part, start in zip(parts, offsets, strict=False)]),
+        np.concatenate([part.row for part in parts]) + np.repeat(offsets[: len(parts)], lengths),
         np.concatenate([part.grounding for part in parts]),
         np.concatenate([part.share for part in parts]),
         np.concatenate([part.alike for part in parts]),

@@ -247,15 +247,18 @@ class GoalPool:
         best = now.choices[now.order[0]] > 0
         return float(now.chances @ np.where(best, now.truths, 1.0 - now.truths).prod(1))
 
-    def likeness(self, outcome: Goal) -> float:
-        """The expected Jaccard index of what an execution would bring about."""
+    def likenesses(self, outcomes: Sequence[Goal]) -> list[float]:
+        """The expected Jaccard index of what each of some executions would bring about."""
         now, number = self.decision, self.literals.numbers
-        row = np.zeros(len(self.literals), dtype=np.float32)
-        row[[number[literal] for literal in outcome if literal in number]] = 1.0
+        rows = np.zeros((len(outcomes), len(self.literals)), dtype=np.float32)
+        for row, outcome in zip(rows, outcomes, strict=True):
+            row[[number[literal] for literal in outcome if literal in number]] = 1.0
         # BLAS may raise the flag of an invalid value for what is beside the array; @ would warn.
-        shared = now.truths.dot(row)
-        union = len(outcome) + now.sizes - shared
-        return float(np.where(union > 0, shared / np.maximum(union, 1e-9), 0.0) @ now.chances)
+        shared = rows.dot(now.truths.T)
+        sizes = np.array([len(outcome) for outcome in outcomes], dtype=np.float32)
+        union = sizes[:, None] + now.sizes - shared
+        alike = np.where(union > 0, shared / np.maximum(union, 1e-9), 0.0).astype(np.float64)
+        return [float(row @ now.chances) for row in alike]
 
     @property
     def numbers(self) -> Mapping[Literal, int]:

@@ -44,7 +44,10 @@ class Plan:
 
 @dataclass(frozen=True)
 class PlanFailure:
-    """No plan: the reason, and in ``detail`` what it concerns: a literal, a fluent, a bound."""
+    """No plan: the reason, and in ``detail`` what it concerns.
+
+    That is a literal, a fluent, a bound, or two fluents of which each excludes the other.
+    """
 
     reason: FailureReason
     detail: str = ""

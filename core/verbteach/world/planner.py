@@ -13,6 +13,7 @@ from typing import Literal as OneOf
 from typing import Protocol, TypeAlias
 
 from verbteach.world import compiled
+from verbteach.world.exclusion import Exclusions
 from verbteach.world.fluents import Goal, Literal, State
 from verbteach.world.plan import FailureReason, Plan, PlanFailure
 from verbteach.world.refinement import EncodedGoal, refined
@@ -114,6 +115,8 @@ class SearchPlanner:
         self.relaxed = relaxed or RelaxedTask(task)
         self.engine = engine or PlainEngine(task, self.relaxed)
         self._answers: OrderedDict[tuple[int, Goal], Plan | PlanFailure] = OrderedDict()
+        self._exclusions: Exclusions | None = None
+        self._judged: tuple[int, dict[Literal, bool]] = (-1, {})
 
     def plan(self, state: State, goal: Goal) -> Plan | PlanFailure:
         """Plan from ``state`` to a state in which every literal of ``goal`` holds."""
@@ -151,22 +154,47 @@ class SearchPlanner:
         wanted = self._encoded(goal)
         if wanted.holds(bits):
             return Plan(())
+        if self._exclusions is not None and (failure := self._contradiction(bits, wanted)):
+            return failure
         numbers = self.relaxed.propositions(goal)
         found = self.engine.search(bits, numbers, self.config.limits)
         if isinstance(found, Exhausted):
-            if found.bound:
-                return PlanFailure(FailureReason.BOUND, f"{self.config.expansions} states judged")
-            return PlanFailure(FailureReason.UNREACHABLE, self._hopeless(bits, goal))
+            return self._contradiction(bits, wanted) or self._failure(bits, goal, found)
         actions = self.task.actions
         steps = refined(bits, [actions[number] for number in found], wanted)
         return Plan(tuple(step.action for step in steps))
 
+    def _contradiction(self, bits: int, wanted: EncodedGoal) -> PlanFailure | None:
+        """Say which two wanted fluents exclude each other, which no search would come to know.
+
+        What excludes what is worked out when a search first fails: most tasks need it never.
+        """
+        if self._exclusions is None:
+            self._exclusions = Exclusions(self.task)
+        pair = self._exclusions.pair(bits, wanted.true)
+        if pair is None:
+            return None
+        return PlanFailure(FailureReason.UNREACHABLE, f"{pair[0]} with {pair[1]}")
+
+    def _failure(self, bits: int, goal: Goal, found: Exhausted) -> PlanFailure:
+        if found.bound:
+            return PlanFailure(FailureReason.BOUND, f"{self.config.expansions} states judged")
+        return PlanFailure(FailureReason.UNREACHABLE, self._hopeless(bits, goal))
+
     def _hopeless(self, bits: int, goal: Goal) -> str:
         """Name the first literal that even the relaxed task never reaches, if it is one alone."""
-        for literal in sorted(goal):
-            if self.relaxed.estimate(bits, self.relaxed.propositions((literal,))) is None:
-                return str(literal)
-        return ""
+        lost = (str(literal) for literal in sorted(goal) if not self._is_reached(bits, literal))
+        return next(lost, "")
+
+    def _is_reached(self, bits: int, literal: Literal) -> bool:
+        """Whether the relaxed task reaches the literal; remembered for the last state."""
+        if self._judged[0] != bits:
+            self._judged = (bits, {})
+        known = self._judged[1]
+        if literal not in known:
+            numbers = self.relaxed.propositions((literal,))
+            known[literal] = self.relaxed.estimate(bits, numbers) is not None
+        return known[literal]
 
     def _encoded(self, goal: Goal) -> EncodedGoal:
         """The bits of an open goal, whose fluents all have one."""

@@ -17,7 +17,7 @@ from verbteach.world.grounding import Grounder, SymbolicAction, SymbolicEffect
 from verbteach.world.plan import Action
 from verbteach.world.scene import Scene
 
-_REMEMBERED = 8
+_REMEMBERED = 256
 """So many states' bits."""
 
 

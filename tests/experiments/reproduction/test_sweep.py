@@ -41,8 +41,8 @@ def test_a_row_of_another_configuration_is_refused() -> None:
 def test_a_killed_sweep_goes_on_without_a_lost_or_doubled_row() -> None:
     kept: list[Row] = []
 
-    def dying(function: object, tasks: Sequence[Task], /) -> Iterator[Row]:
-        yield from map(quick, tasks[:3])
+    def dying(function: object, bundles: Sequence[Sequence[Task]], /) -> Iterator[Row]:
+        yield from map(quick, bundles[0][:3])
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
@@ -54,14 +54,27 @@ def test_a_killed_sweep_goes_on_without_a_lost_or_doubled_row() -> None:
 
 
 def test_the_order_of_work_changes_nothing() -> None:
-    def backwards(function: object, tasks: Sequence[Task], /) -> Iterator[Row]:
-        return map(quick, reversed(tasks))
+    def backwards(function: object, bundles: Sequence[Sequence[Task]], /) -> Iterator[Row]:
+        return (quick(task) for bundle in reversed(bundles) for task in reversed(bundle))
 
     assert list(sweep(TASKS, quick, mapper=backwards)) == [task.key for task in TASKS]
 
 
+def test_tasks_of_one_draw_of_the_noise_are_a_bundle() -> None:
+    draws: list[set[tuple[int, str, str]]] = []
+
+    def noting(function: object, bundles: Sequence[Sequence[Task]], /) -> Iterator[Row]:
+        for bundle in bundles:
+            draws.append({(t.config.run, t.config.reading, t.config.noise) for t in bundle})
+            yield from map(quick, bundle)
+
+    sweep(TASKS, quick, mapper=noting)
+    assert len(draws) == 2
+    assert all(len(draw) == 1 for draw in draws)
+
+
 def test_a_row_that_nobody_asked_for_is_refused() -> None:
-    def wrong(function: object, tasks: Sequence[Task], /) -> Iterator[Row]:
+    def wrong(function: object, bundles: Sequence[Sequence[Task]], /) -> Iterator[Row]:
         return iter([rows()[TASKS[0].key]] * 2)
 
     with pytest.raises(ValueError, match="came twice"):

@@ -189,7 +189,7 @@ def _swept(
         show("runs", finished, len(wanted))
 
     try:
-        rows = sweep(tasks, Scorer(source), done.values(), keep, workers)
+        rows = sweep(tasks, Scorer(source), done.values(), keep, workers.bundled)
     except KeyboardInterrupt:
         note(f"{finished} of {len(wanted)} rows are kept in {file.path}; go on with --resume")
         raise

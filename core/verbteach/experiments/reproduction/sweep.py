@@ -8,6 +8,7 @@ workers nor the order of work changes one.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import groupby
 from typing import Protocol
 
 from verbteach.experiments.reproduction.rows import Row
@@ -15,16 +16,22 @@ from verbteach.experiments.reproduction.task import Task
 
 
 class Mapper(Protocol):
-    """Applies a function to every task, in any number of processes, in any order."""
+    """Applies a function to every task, in any number of processes, in any order.
 
-    def __call__(self, function: Callable[[Task], Row], tasks: Sequence[Task], /) -> Iterable[Row]:
+    The tasks come in bundles that had better be carried out by the same
+    process, which remembers what it saw and planned.
+    """
+
+    def __call__(
+        self, function: Callable[[Task], Row], bundles: Sequence[Sequence[Task]], /
+    ) -> Iterable[Row]:
         """Give the rows back as they are done."""
         ...
 
 
-def in_turn(function: Callable[[Task], Row], tasks: Sequence[Task], /) -> Iterator[Row]:
+def in_turn(function: Callable[[Task], Row], bundles: Sequence[Sequence[Task]], /) -> Iterator[Row]:
     """The mapper of one process."""
-    return map(function, tasks)
+    return (function(task) for bundle in bundles for task in bundle)
 
 
 def sweep(
@@ -36,14 +43,15 @@ def sweep(
 ) -> dict[str, Row]:
     """Score what is not done yet and keep each row as it comes; all rows by key, in tasks' order.
 
-    Tasks of one draw of the noise come one after another, since what was seen
-    in the last draw is remembered where they are carried out. Raises
+    Tasks of one draw of the noise are a bundle: what was seen in the last draw
+    is remembered where they are carried out, and so are the plans. Raises
     ``ValueError`` where the mapper gives a row back that nobody asked for.
     """
     wanted = {task.key: task for task in tasks}
     rows = {row.key: row for row in done if row.key in wanted}
     left = sorted((task for key, task in wanted.items() if key not in rows), key=_draw)
-    for row in mapper(score, left):
+    bundles = [list(bundle) for _, bundle in groupby(left, key=_draw)]
+    for row in mapper(score, bundles):
         if row.key not in wanted or row.key in rows:
             raise ValueError(f"the row {row.key} was not asked for, or came twice")
         rows[row.key] = row
