@@ -39,7 +39,7 @@ def taken_for_granted(task: Task, state: State, actions: Sequence[Action]) -> fr
 def foresight(task: Task, planner: Planner) -> Foresight:
     """Foresee by planning; what was foreseen last is remembered."""
 
-    @lru_cache(maxsize=8)
+    @lru_cache(maxsize=512)
     def foreseen(state: State, goal: Goal) -> frozenset[Fluent] | None:
         answer = planner.plan(state, goal)
         return taken_for_granted(task, state, answer.actions) if isinstance(answer, Plan) else None
