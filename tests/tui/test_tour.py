@@ -14,6 +14,7 @@ from verbteach_tui.options import OpenNew
 from verbteach_tui.screens.teach import TeachScreen
 from verbteach_tui.screens.tour import STOPS, TourScreen
 from verbteach_tui.views.rows import plain
+from verbteach_tui.widgets.command_input import CommandInput
 from verbteach_tui.widgets.rows_view import RowsView
 
 WORDS_A_MINUTE = 180
@@ -71,4 +72,23 @@ async def test_it_is_skipped_with_one_key_and_repeated_from_the_palette(tmp_path
         await pilot.press("escape")
         await pilot.pause()
         assert isinstance(app.screen, TeachScreen)
+    app.close_sessions()
+
+
+async def test_who_types_a_command_instead_has_it_in_the_line(tmp_path: Path) -> None:
+    app = VerbteachApp(replace(options(tmp_path, OpenNew("kitchen-1")), toured=tmp_path / "toured"))
+    async with piloted(app) as pilot:
+        here = Room(app, pilot)
+        await here.settle()
+        await pilot.pause()
+        assert isinstance(app.screen, TourScreen)
+        await pilot.press(*"switch on")
+        await pilot.pause()
+        assert isinstance(app.screen, TeachScreen)
+        line = here.teach.query_one(CommandInput)
+        assert line.value == "switch on"
+        assert line.has_focus
+        assert not here.teach.query(".-toured")
+        await pilot.press("enter")
+        await here.settle()
     app.close_sessions()

@@ -96,6 +96,15 @@ class TeachScreen(AnsweringScreen):
         if self.snapshot.phase is Phase.COMMAND:
             self.query_one(CommandInput).begin_with(typed.lstrip("/ "))
 
+    def type_on(self, character: str) -> bool:
+        """Go on in the line with what was typed in front of this screen; whether that fits now."""
+        if self.snapshot.phase is not Phase.COMMAND:
+            return False
+        line = self.query_one(CommandInput)
+        self.set_focus(line)
+        line.insert_text_at_cursor(character)
+        return True
+
     # ---- showing
 
     def _show(self, snapshot: Snapshot, played: bool) -> None:

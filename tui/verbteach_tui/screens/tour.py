@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
+from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
@@ -90,12 +91,13 @@ class TourScreen(ModalScreen[None]):
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("enter,right,space", "go(1)", "Next"),
         Binding("left,backspace", "go(-1)", "Before"),
-        Binding("escape,q,s", "leave", "Skip"),
+        Binding("escape", "leave", "Skip"),
     ]
 
     def __init__(self, room: TeachScreen) -> None:
         super().__init__()
         self._room, self._at = room, 0
+        self._left = False
 
     @property
     def stop(self) -> Stop:
@@ -112,6 +114,14 @@ class TourScreen(ModalScreen[None]):
         """Begin."""
         self._show()
 
+    def on_key(self, event: events.Key) -> None:
+        """Who types instead of reading on is typing a command: it goes into the line."""
+        letter = event.character or ""
+        if (letter.isalpha() or self._left) and event.is_printable and self._room.type_on(letter):
+            event.stop()
+            event.prevent_default()
+            self.action_leave()
+
     def action_go(self, by: int) -> None:
         """To another stop; after the last one the tour is over."""
         if self._at + by >= len(STOPS):
@@ -122,6 +132,9 @@ class TourScreen(ModalScreen[None]):
 
     def action_leave(self) -> None:
         """Enough."""
+        if self._left:
+            return
+        self._left = True
         self._stand_out("")
         self._room.choose_tab("dialogue")
         self.dismiss()
