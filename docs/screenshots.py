@@ -17,13 +17,14 @@ sys.path.insert(0, str(Path(__file__).parent.parent))
 
 from docs.played import Step, do, picture, settled
 from docs.study_screenshots import TAKING_PART, in_the_lab, take_part
-from verbteach_scenarios.scenes import load_scene, scene_ids
 from verbteach_scenarios.settings import make_settings
 from verbteach_sessions.driving import ScriptTeacher, drive
 from verbteach_sessions.header import Header
 from verbteach_sessions.session import Session
 from verbteach_tui.app import VerbteachApp
-from verbteach_tui.options import AppOptions, OpenHome, Opening, OpenNew, OpenRecord
+from verbteach_tui.beginning import Beginning, Choices
+from verbteach_tui.options import OpenHome, Opening, OpenNew, OpenRecord
+from verbteach_tui.room import app_options
 
 IMAGES = Path(__file__).parent / "images"
 WIDE, NORMAL, NARROW = (120, 40), (80, 24), (60, 20)
@@ -55,26 +56,27 @@ class Scenario(NamedTuple):
     """A lesson in one size; ``scene`` is empty for the home screen.
 
     Where ``recorded`` are the lines of a script, what they make is played back.
+    ``policy`` is the question policy, where it is not the one that teaching begins with.
     """
 
     size: tuple[int, int]
     scene: str
     steps: tuple[Step, ...]
     recorded: tuple[str, ...] = ()
+    policy: str | None = None
 
 
 SCENARIOS = (
     Scenario(WIDE, "", (Step(shot="home"),)),
+    Scenario(WIDE, "kitchen-1", (Step("wash the mug", shot="question"),), policy="she16"),
     Scenario(
         WIDE,
         "kitchen-1",
         (
-            Step("wash the mug", shot="question"),
-            Step(key="s"),
-            Step(key="s"),
             *(Step(line) for line in BOIL[:-1]),
             Step(BOIL[-1], shot="demonstrate"),
-            Step("done", shot="read-back"),
+            Step("done", phase="learning"),
+            Step(key="y", shot="read-back", phase="read_back"),
             Step(key="y"),
             Step("scene: kitchen-3"),
             Step("boil the water", phase="judgement"),
@@ -93,30 +95,19 @@ SCENARIOS = (
         RECORDED,
     ),
     Scenario(NORMAL, "kitchen-1", (*(Step(line) for line in BOIL), Step(shot="teach-80x24"))),
-    Scenario(NARROW, "kitchen-1", (Step("wash the mug", shot="teach-60x20"),)),
+    Scenario(NARROW, "kitchen-1", (Step("wash the mug", shot="teach-60x20"),), policy="she16"),
 )
 
 
 async def play(scenario: Scenario, folder: Path) -> dict[str, str]:
     """Play a scenario; its pictures as SVG, by name."""
-    settings = make_settings()
     opening: Opening = OpenNew(scenario.scene) if scenario.scene else OpenHome()
     if scenario.recorded:
-        with Session.create(folder, Header.new(scenario.scene), settings) as session:
+        with Session.create(folder, Header.new(scenario.scene), make_settings()) as session:
             drive(session, ScriptTeacher(scenario.recorded))
         opening = OpenRecord(session.path)
-    app = VerbteachApp(
-        AppOptions(
-            settings,
-            scene_ids,
-            lambda scene: Session.create(folder, Header.new(scene, interface="app"), settings),
-            lambda path: Session.resume(path, settings),
-            folder,
-            load_scene,
-            opening,
-            speed=0.5,
-        )
-    )
+    beginning = Beginning(folder, "app", choices=Choices(policy=scenario.policy))
+    app = VerbteachApp(app_options(beginning, opening, speed=0.5))
     shots: dict[str, str] = {}
     async with app.run_test(size=scenario.size) as pilot:
         await settled(pilot)
