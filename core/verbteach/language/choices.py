@@ -128,7 +128,8 @@ def _words(text: str) -> list[str]:
 
 def _takes_object(tokens: Sequence[str]) -> bool:
     """Whether it goes on as behind a verb: "open the fridge", but not "open ones"."""
-    return len(tokens) > 1 and tokens[1] in DETERMINERS | OBJECT_PRONOUNS | POSSESSIVES | PARTICLES
+    objects = DETERMINERS | OBJECT_PRONOUNS | POSSESSIVES | PARTICLES
+    return len(tokens) > 1 and tokens[1] in objects - {"one", "ones"}
 
 
 def _named(tokens: Sequence[str]) -> Choice:
