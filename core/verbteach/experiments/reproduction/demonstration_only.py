@@ -36,14 +36,20 @@ class _Cut(Grounds):
 
 
 def demonstration_only(
-    instances: Sequence[Instance], grounds: Grounds, config: Config, setup: Setup, sight: Sight
+    instances: Sequence[Instance],
+    grounds: Grounds,
+    config: Config,
+    setup: Setup,
+    sight: Sight,
+    known: dict[str, Lesson],
 ) -> Result:
     """Carry out one configuration with the learner of ``setup``, which sees through ``sight``.
 
-    ``grounds`` has the tasks and the planner; its folds are not used.
+    ``grounds`` has the tasks and the planner; its folds are not used. ``known``
+    are lessons of the same learner with the same eyes, by instance; those that
+    are learned now are added: a demonstration teaches the same among however many.
     """
     split = InstanceSplit.of(instances, config)
-    known: dict[str, Lesson] = {}  # a demonstration teaches the same, however many there are
 
     def tested(share: float) -> tuple[int, tuple[Tested, ...]]:
         lessons = split.lessons(share)

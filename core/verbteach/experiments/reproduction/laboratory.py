@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from hashlib import sha256
 
 from verbteach.experiments.evaluation import Grounds
 from verbteach.experiments.groundings import Grounder
 from verbteach.experiments.instance_split import InstanceSplit
 from verbteach.experiments.interactive_bench import Bench
-from verbteach.experiments.interactive_protocol import run
+from verbteach.experiments.interactive_protocol import Config, run
+from verbteach.experiments.jobs import Lesson
 from verbteach.experiments.reproduction.demonstration_only import demonstration_only, setup_of
-from verbteach.experiments.reproduction.design import DEMONSTRATION_ONLY, Design
+from verbteach.experiments.reproduction.design import DEMONSTRATION_ONLY, PERFECT, Design
 from verbteach.experiments.reproduction.rows import Row, row_of
 from verbteach.experiments.reproduction.task import Task
 from verbteach.verbs.instance import Instance
@@ -31,6 +32,9 @@ class Laboratory:
     grounding: str = "corpus"
     grounder: Grounder | None = None
     apart: tuple[str, ...] = ()
+    _lessons: dict[str, dict[str, Lesson]] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
 
     @property
     def environments(self) -> tuple[str, ...]:
@@ -54,8 +58,13 @@ class Laboratory:
             return row_of(task, run(self.bench, config))
         setup = replace(setup_of(config), grounding=self.grounding, grounder=self.grounder)
         sight = self.bench.sight(setup.noise, config.seed, config.run).unruled
-        result = demonstration_only(self.bench.instances, self.grounds, config, setup, sight)
+        known = self._known(config)
+        result = demonstration_only(self.bench.instances, self.grounds, config, setup, sight, known)
         return row_of(task, result)
+
+    def _known(self, config: Config) -> dict[str, Lesson]:
+        """What a learner from demonstrations alone knows: eyes that see all saw the same before."""
+        return self._lessons.setdefault(config.policy, {}) if config.noise == PERFECT else {}
 
 
 def fingerprint(instances: Sequence[Instance]) -> str:
