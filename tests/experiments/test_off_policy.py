@@ -81,6 +81,12 @@ def test_too_small_an_effective_sample_is_declined() -> None:
     assert evaluate(far, rng(0), minimum=0.1, resamples=50).estimates
 
 
+def test_a_handful_of_dialogues_is_said_to_be_too_few() -> None:
+    found = evaluate(sampled(LOGGED, EVALUATED, 5, 1), rng(0))
+    assert found.declined.startswith("5 dialogues are too few")
+    assert found.estimates == ()
+
+
 def test_a_log_of_a_policy_that_never_explores_is_refused_with_the_reason() -> None:
     certain = greedy(CURIOUS, 0.0)
     with pytest.raises(UnsupportedLogError, match=r"in \d+% of its dialogues .* never does"):

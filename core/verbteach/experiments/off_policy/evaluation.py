@@ -118,6 +118,11 @@ def check_support(log: Log) -> None:
 
 
 def _too_small(size: float, minimum: float, trajectories: int) -> str:
+    if trajectories < minimum:
+        return (
+            f"{trajectories} dialogues are too few to say anything:"
+            f" at least {minimum:g} are needed, and more where the two policies differ"
+        )
     return (
         f"the {trajectories} trajectories are worth {size:.1f} of the evaluated policy's own,"
         f" fewer than {minimum:g}: the two policies act too differently to say"
