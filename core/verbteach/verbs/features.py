@@ -17,6 +17,7 @@ from typing import NamedTuple
 from verbteach.verbs.application import Evidence, Situation, Support
 from verbteach.verbs.knowledge import Use
 from verbteach.verbs.space import Demonstration
+from verbteach.world.fluents import Literal
 
 NAMES: tuple[str, ...] = (
     "satisfied",  # share of the goal's fluents that hold already
@@ -50,7 +51,7 @@ def votes(evidence: Evidence) -> Iterator[Vote]:
     negative = sum(not literal.positive for literal in evidence.goal) / len(evidence.goal)
     size = min(len(evidence.goal), _LARGE) / _LARGE
     for support in evidence.supports:
-        others = support.node.other_things
+        others = _other_things(support.node.literals)
         frame, wanted = support.frame.key, evidence.situation.frame
         own = (float(frame.verb == wanted.verb), float(frame.arity == wanted.arity))
         replaced = float(support.replaced)
@@ -65,6 +66,12 @@ def votes(evidence: Evidence) -> Iterator[Vote]:
 
 
 _LARGE = 6
+
+
+@lru_cache(maxsize=65_536)
+def _other_things(hypothesis: tuple[Literal, ...]) -> float:
+    about = [any(word.startswith("<") for word in fluent.args) for fluent, _ in hypothesis]
+    return sum(about) / len(about)
 
 
 @lru_cache(maxsize=65_536)

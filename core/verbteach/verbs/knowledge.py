@@ -72,12 +72,6 @@ class HypothesisNode:
         return mould_of(self.literals)
 
     @cached_property
-    def other_things(self) -> float:
-        """The share of its literals about a thing that is no argument."""
-        about = [any(word.startswith("<") for word in fluent.args) for fluent, _ in self.literals]
-        return sum(about) / len(about)
-
-    @cached_property
     def bindings(self) -> Bindings:
         """Each binding once, sorted, with its uses."""
         return _by_binding(self.uses)
