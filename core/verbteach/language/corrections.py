@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from verbteach.language.tokens import COMMA, STOP, spelled_out, tokenise
+from verbteach.language.tokens import COMMA, STOP, spelled_out, tokenise, trimmed
 from verbteach.language.wordlist import phrase_list, word_set
 
 
@@ -106,9 +106,4 @@ def _without_end(tokens: list[str]) -> list[str]:
 
 def _trimmed(tokens: Sequence[str]) -> list[str]:
     """Without the commas and small words around."""
-    kept = list(tokens)
-    while kept and kept[0] in _AROUND:
-        kept = kept[1:]
-    while kept and kept[-1] in _AROUND:
-        kept = kept[:-1]
-    return kept
+    return trimmed(tokens, _AROUND)

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from verbteach.language.assembly import OBJECT
 from verbteach.language.frames import Argument, NounPhrase, VerbFrame
-from verbteach.language.tokens import spelled_out, tokenise
+from verbteach.language.tokens import spelled_out, tokenise, trimmed
 from verbteach.language.wordlist import phrase_list, word_set
 from verbteach.language.words import COPULAS
 
@@ -77,12 +77,8 @@ def applied(frame: VerbFrame, phrase: NounPhrase) -> VerbFrame:
 
 
 def _trimmed(tokens: Sequence[str]) -> list[str]:
-    kept = list(tokens)
-    while kept and kept[0] in _AROUND:
-        kept = kept[1:]
-    while kept and kept[-1] in _AROUND:
-        kept = kept[:-1]
-    return kept
+    """Without the commas and small words around."""
+    return trimmed(tokens, _AROUND)
 
 
 def _behind_next(tokens: list[str]) -> tuple[list[str], bool]:

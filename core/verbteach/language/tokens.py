@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Container, Sequence
 
 STOP = "."
 """The token that every sentence-ending mark becomes."""
@@ -92,6 +93,16 @@ def tokenise(text: str) -> list[str]:
     for match in _TOKEN.finditer(_normalised(text)):
         tokens.extend(_split(match.group()))
     return tokens
+
+
+def trimmed(tokens: Sequence[str], around: Container[str]) -> list[str]:
+    """The tokens without those at either end that are ``around`` what is said."""
+    kept = list(tokens)
+    while kept and kept[0] in around:
+        kept = kept[1:]
+    while kept and kept[-1] in around:
+        kept = kept[:-1]
+    return kept
 
 
 def _normalised(text: str) -> str:
