@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.language.rooms import looks, phrase
-from verbteach.language.distinguish import distinguish, glimpse
+from verbteach.language.distinguish import distinguish, distinguish_by_looks, glimpse
 from verbteach.language.looks import Looks
 from verbteach.language.refer import refer
 from verbteach.world.simulator import applicable, apply
@@ -51,6 +51,15 @@ def test_no_two_things_get_the_same_description(scene: str) -> None:
     room = looks(scene)
     told = [distinguish(thing, room) for thing in _things(room)]
     assert len(set(told)) == len(told)
+
+
+def test_by_looks_alone_a_place_is_never_told() -> None:
+    room = looks()
+    assert distinguish("Mug_1", room) == "the mug on the table"
+    assert distinguish_by_looks("Mug_1", room) == "the red ceramic mug"
+    for thing in _things(room):
+        assert " on the " not in distinguish_by_looks(thing, room)
+        assert " in the " not in distinguish_by_looks(thing, room)
 
 
 def test_the_shortest_description_wins() -> None:

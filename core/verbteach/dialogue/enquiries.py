@@ -12,6 +12,7 @@ from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.seeing import perceived
 from verbteach.dialogue.speech import Speech
 from verbteach.dialogue.understanding import read_noun_phrase
+from verbteach.language.distinguish import distinguish_by_looks
 from verbteach.language.first_person import first_person
 from verbteach.language.grammar import parse
 from verbteach.language.looks import Looks
@@ -95,14 +96,8 @@ def _place(thing: str, speech: Speech) -> str:
     place = speech.looks.place(thing)
     if place is None:
         return _sentence(f"i see {name} here")
-    name = _without_place(thing, speech)
+    name = distinguish_by_looks(thing, speech.looks)
     return _sentence(f"{name} is {place[0]} {speech.thing(place[1])}")
-
-
-def _without_place(thing: str, speech: Speech) -> str:
-    """The thing's name without where it is, which is what is being told."""
-    name, place = speech.thing(thing), speech.looks.place(thing)
-    return name.partition(f" {place[0]} the ")[0] if place else name
 
 
 def _what_is_there(draft: Draft, words: Words) -> str:
@@ -119,7 +114,7 @@ def _what_is_there(draft: Draft, words: Words) -> str:
 def _contents(place: str, preposition: str, speech: Speech) -> str:
     looks = speech.looks
     there = [thing for thing in looks.objects if looks.related(thing, preposition, place)]
-    named = listing([_without_place(thing, speech) for thing in sorted(there)]) or "nothing"
+    named = listing([distinguish_by_looks(thing, looks) for thing in sorted(there)]) or "nothing"
     return _sentence(f"i see {named} {preposition} {speech.thing(place)}")
 
 

@@ -54,6 +54,20 @@ def _distinguished(object_id: str, looks: Looks, among: tuple[str, ...]) -> str:
     return f"the {name} {object_id.rpartition('_')[2]}"
 
 
+def distinguish_by_looks(object_id: str, looks: Looks) -> str:
+    """The same without where the thing is, which may be what is being told: "the red mug".
+
+    Where nothing but its place singles it out, its name alone.
+    """
+    told = distinguish(object_id, looks)
+    if looks.place(object_id) is None or not looks.is_thing(object_id):
+        return told
+    name = _name(object_id, looks)
+    placeless = (d for d in _descriptions(object_id, name, looks) if d.place is None)
+    alone = (d for d in placeless if _alone(object_id, d, looks, ()))
+    return next((_worded(d, looks, ()) for d in alone), f"the {name}")
+
+
 def glimpse(object_id: str, looks: Looks) -> str:
     """What a camera sees of the object without knowing its name: "a silver object on the table"."""
     attributes = looks.objects[object_id].attributes
