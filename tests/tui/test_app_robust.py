@@ -66,8 +66,9 @@ async def test_what_is_typed_while_the_room_opens_stands_in_its_line(tmp_path: P
         ready.set()
         for _ in range(300):
             await pilot.pause(0.02)
-            if isinstance(app.screen, TeachScreen) and app.screen.query_one(CommandInput).value:
+            if any(line.value for line in app.screen.query(CommandInput)):
                 break
+        assert isinstance(app.screen, TeachScreen)
         assert app.screen.query_one(CommandInput).value == "open it"
     app.close_sessions()
 
