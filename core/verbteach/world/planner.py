@@ -188,9 +188,10 @@ class SearchPlanner:
 
     def _is_reached(self, bits: int, literal: Literal) -> bool:
         """Whether the relaxed task reaches the literal; remembered for the last state."""
-        if self._judged[0] != bits:
-            self._judged = (bits, {})
-        known = self._judged[1]
+        judged = self._judged  # held here: another thread may be judging another state
+        if judged[0] != bits:
+            judged = self._judged = (bits, {})
+        known = judged[1]
         if literal not in known:
             numbers = self.relaxed.propositions((literal,))
             known[literal] = self.relaxed.estimate(bits, numbers) is not None
