@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from verbteach.dialogue import enquiries
 from verbteach.dialogue.draft import Draft
-from verbteach.dialogue.understanding import looks_now, read_noun_phrase
+from verbteach.dialogue.referring import looks_now, read_noun_phrase
 from verbteach.language import household
 from verbteach.language.choices import Choice, Chosen, read_choice
 from verbteach.language.frames import NounPhrase

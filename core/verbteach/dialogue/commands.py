@@ -6,14 +6,9 @@ from verbteach.dialogue import enquiries, execution
 from verbteach.dialogue.acts import AskRephrase, AwaitCommand, StartClause
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.moves import Phase
-from verbteach.dialogue.understanding import (
-    CommandReading,
-    Reply,
-    attached,
-    clause_text,
-    read_command,
-    read_reply,
-)
+from verbteach.dialogue.referring import attached
+from verbteach.dialogue.replies import Reply, read_reply
+from verbteach.dialogue.understanding import CommandReading, clause_text, read_command
 from verbteach.language.ellipsis import read_ellipsis
 from verbteach.language.frames import VerbFrame
 from verbteach.language.tokens import tokenise

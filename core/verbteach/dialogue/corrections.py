@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from verbteach.dialogue.draft import Draft
-from verbteach.dialogue.understanding import fitting_objects, looks_now, read_noun_phrase
+from verbteach.dialogue.referring import fitting_objects, looks_now, read_noun_phrase
 from verbteach.language.assembly import OBJECT
 from verbteach.language.corrections import Correction
 from verbteach.language.frames import PRONOUNS, NounPhrase

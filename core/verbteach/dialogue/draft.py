@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from verbteach.dialogue.acts import RobotAct
+from verbteach.dialogue.acts import AskAgain, RobotAct
 from verbteach.dialogue.decision import Candidate, Decision
 from verbteach.dialogue.moves import Phase
 from verbteach.dialogue.parameters import RobotParameters
@@ -90,6 +90,12 @@ class Draft:
         self.phase = phase
         if self.state.episode is not None:
             self.update(phase=phase)
+
+    def ask_again(self, problem: str) -> None:
+        """Say what is unclear, and wait for the same."""
+        self.reading = ""
+        self.say(AskAgain(problem))
+        self.wait(self.state.turn.waiting_act, self.state.turn.phase)
 
     def earn(self, reward: float) -> None:
         """Add a reward to the turn, the episode and the session."""

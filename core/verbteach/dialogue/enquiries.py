@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from verbteach.dialogue.draft import Draft
+from verbteach.dialogue.referring import read_noun_phrase
 from verbteach.dialogue.seeing import perceived
 from verbteach.dialogue.speech import Speech
-from verbteach.dialogue.understanding import read_noun_phrase
 from verbteach.language.distinguish import distinguish_by_looks
 from verbteach.language.first_person import first_person
 from verbteach.language.grammar import parse

@@ -27,9 +27,9 @@ from verbteach.dialogue.proposals import (
     unknown_words,
 )
 from verbteach.dialogue.questions import ask
+from verbteach.dialogue.referring import ground_phrases
 from verbteach.dialogue.seeing import perceived
 from verbteach.dialogue.state import EpisodeState, RankedGoal
-from verbteach.dialogue.understanding import ground_phrases
 from verbteach.language.frames import VerbFrame
 from verbteach.language.refer import Candidates
 from verbteach.verbs.application import GroundingBelief, Situation

@@ -35,8 +35,8 @@ from verbteach.dialogue.contradictions import (
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.grounding import GroundingBelief
 from verbteach.dialogue.moves import Phase
+from verbteach.dialogue.replies import Reply, read_reply
 from verbteach.dialogue.state import Exchange
-from verbteach.dialogue.understanding import Reply, read_reply
 
 
 @dataclass(frozen=True)

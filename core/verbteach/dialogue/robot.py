@@ -6,43 +6,36 @@ value; going back to an earlier one is assigning it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
 from verbteach.dialogue import (
     acts,
-    carrying_out,
     commands,
     demonstration,
     execution,
+    judgement,
     learning,
     questions,
+    reading_back,
     revising,
     shown_in_words,
 )
-from verbteach.dialogue.acts import DemonstrationReason, Outcome, TeacherAct
-from verbteach.dialogue.closing import await_command, close
-from verbteach.dialogue.corrections import another_noun, another_reference, other_things
+from verbteach.dialogue.acts import DemonstrationReason, TeacherAct
+from verbteach.dialogue.closing import await_command
 from verbteach.dialogue.draft import Draft, Mind
 from verbteach.dialogue.explanation import explain
 from verbteach.dialogue.moves import Phase, check_teacher_act
 from verbteach.dialogue.parameters import RobotParameters
 from verbteach.dialogue.policy import LearningPolicy, Policy
 from verbteach.dialogue.promise import Promise
+from verbteach.dialogue.referring import check_object
+from verbteach.dialogue.replies import offers_to_show
 from verbteach.dialogue.setting import Setting, Settings
-from verbteach.dialogue.speech import Speech
 from verbteach.dialogue.state import RobotState
 from verbteach.dialogue.turn import RobotTurn
-from verbteach.dialogue.understanding import (
-    check_object,
-    read_verdict,
-)
 from verbteach.dialogue.wording import word_turn
-from verbteach.language.corrections import read_correction
-from verbteach.language.morphology import listing
-from verbteach.language.refer import Candidates
-from verbteach.language.small_talk import Talk, small_talk
 from verbteach.verbs.knowledge import VerbKnowledge
 
 
@@ -184,105 +177,18 @@ def _command(draft: Draft, act: TeacherAct) -> None:
             revising.revise(draft, act)
 
 
-def _offers_to_show(act: TeacherAct) -> bool:
-    """Whether the teacher takes over, in a word or in words: "no, let me show you"."""
-    if not isinstance(act, acts.Say):
-        return isinstance(act, acts.Show)
-    return Talk.SHOW in {small_talk(act.text), small_talk(read_verdict(act.text).rest)}
-
-
 def _execution(draft: Draft, act: TeacherAct) -> None:
-    if _offers_to_show(act):
+    if offers_to_show(act):
         demonstration.request(draft, DemonstrationReason.TAKEN_OVER)
     elif questions.settle(draft, questions.read_answer(draft, act)):
         execution.deliberate(draft)
 
 
 def _learning(draft: Draft, act: TeacherAct) -> None:
-    if _offers_to_show(act):
+    if offers_to_show(act):
         demonstration.request(draft, DemonstrationReason.SHOW_AGAIN)
     elif questions.settle(draft, questions.read_answer(draft, act)):
         learning.deliberate(draft)
-
-
-def _judgement(draft: Draft, act: TeacherAct) -> None:
-    match act:
-        case acts.Good():
-            carrying_out.approve(draft)
-            commands.go_on(draft)
-        case acts.Bad() | acts.Stop():
-            carrying_out.disapprove(draft)
-            demonstration.request(draft, DemonstrationReason.WRONG_EXECUTION)
-        case acts.Show():
-            demonstration.request(draft, DemonstrationReason.TAKEN_OVER)
-        case acts.Skip():
-            close(draft, Outcome.UNJUDGED)
-            commands.go_on(draft)
-        case acts.Say(text=text):
-            _judgement_in_words(draft, text)
-
-
-def _judgement_in_words(draft: Draft, text: str) -> None:
-    reply = read_verdict(text)
-    draft.reading = reply.label
-    if _offers_to_show(acts.Say(text)):
-        _judgement(draft, acts.Show())
-    elif reply.reserved:
-        _ask_again(draft, "Was it right just as I did it? Say yes or no first, and then the rest.")
-    elif reply.label == "yes":
-        commands.put_behind(draft, reply.rest)
-        _judgement(draft, acts.Good())
-    elif _corrected(draft, text):
-        return
-    elif reply.label == "no":
-        _judgement(draft, acts.Bad())
-    elif reply.label == "skip":
-        _judgement(draft, acts.Skip())
-    else:
-        _ask_again(draft, "Say yes if it was right, no if it was not, or skip.")
-
-
-def _ask_again(draft: Draft, problem: str) -> None:
-    """Say what is unclear, and wait for the same."""
-    draft.reading = ""
-    draft.say(acts.AskAgain(problem))
-    draft.wait(_waiting(draft), draft.state.turn.phase)
-
-
-def _corrected(draft: Draft, text: str) -> bool:
-    """Whether the words said what should have been meant.
-
-    The robot starts over with it; where it could be several things, it asks which.
-    """
-    correction = read_correction(text)
-    if correction is None:
-        return False
-    reference = another_reference(draft, correction)
-    if reference is not None:
-        return _with_other_words(draft, *reference)
-    exchanges = other_things(draft, correction)
-    if len(exchanges) > 1:
-        _ask_which(draft, [exchange.now for exchange in exchanges])
-        return True
-    for exchange in exchanges:
-        draft.reading = f"{exchange.was}: {exchange.now}"
-        if execution.correct_goal(draft, exchange.goal):
-            return True
-    reference = another_noun(draft, correction)
-    return reference is not None and _with_other_words(draft, *reference)
-
-
-def _with_other_words(draft: Draft, phrase: str, things: Candidates) -> bool:
-    draft.reading = f"{phrase}: {', '.join(thing for thing, _ in things)}"
-    execution.correct_reference(draft, phrase, things)
-    return True
-
-
-def _ask_which(draft: Draft, things: Sequence[str]) -> None:
-    """A correction that fits several things: which one, asked with the judgement still open."""
-    name = Speech.of(draft.mind.setting, draft.state.world).thing
-    named = listing([name(thing) for thing in dict.fromkeys(things)], "or")
-    _ask_again(draft, f"Do you mean {named}? Say which one, or no if none of them.")
 
 
 def _demonstration(draft: Draft, act: TeacherAct) -> None:
@@ -300,57 +206,11 @@ def _demonstration(draft: Draft, act: TeacherAct) -> None:
             shown_in_words.hear(draft, text)
 
 
-def _read_back(draft: Draft, act: TeacherAct) -> None:
-    match act:
-        case acts.Good():
-            learning.accept(draft)
-            commands.go_on(draft)
-        case acts.Bad():
-            learning.reject(draft)
-        case acts.Strike(literal=literal):
-            learning.strike(draft, literal)
-        case acts.Keep(literal=literal):
-            learning.keep(draft, literal)
-        case acts.Show():
-            demonstration.request(draft, DemonstrationReason.SHOW_AGAIN)
-        case acts.Skip():
-            learning.abandon(draft)
-            commands.go_on(draft)
-        case acts.Say(text=text):
-            _read_back_in_words(draft, text)
-
-
-def _read_back_in_words(draft: Draft, text: str) -> None:
-    reply = read_verdict(text)
-    draft.reading = reply.label
-    if _offers_to_show(acts.Say(text)):
-        _read_back(draft, acts.Show())
-    elif reply.reserved:
-        _ask_again(
-            draft, "Is it right just as I said it? Say yes; or say no, and then what to change."
-        )
-    elif reply.label == "yes":
-        commands.put_behind(draft, reply.rest)
-        _read_back(draft, acts.Good())
-    elif reply.label == "no":
-        _read_back(draft, acts.Bad())
-    elif reply.label == "skip":
-        _read_back(draft, acts.Skip())
-    else:
-        problem = "Say yes if this is the goal, no if it is not, or skip. You can also strike parts"
-        _ask_again(draft, f"{problem} of it, keep what I left out, or show me again.")
-
-
-def _waiting(draft: Draft) -> acts.RobotAct:
-    """The act that the teacher has not answered yet."""
-    return draft.state.turn.waiting_act
-
-
 _HANDLERS: Mapping[Phase, Callable[[Draft, TeacherAct], None]] = {
     Phase.COMMAND: _command,
     Phase.EXECUTION: _execution,
-    Phase.JUDGEMENT: _judgement,
+    Phase.JUDGEMENT: judgement.hear,
     Phase.DEMONSTRATION: _demonstration,
     Phase.LEARNING: _learning,
-    Phase.READ_BACK: _read_back,
+    Phase.READ_BACK: reading_back.hear,
 }

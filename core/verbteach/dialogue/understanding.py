@@ -9,20 +9,15 @@ from dataclasses import dataclass, replace
 
 from verbteach.dialogue.doubts import doubt, without_helped
 from verbteach.dialogue.draft import Draft
-from verbteach.dialogue.grounding import GroundingBelief
-from verbteach.dialogue.setting import Setting, UnknownObjectError
+from verbteach.dialogue.referring import fitting_objects, guesses, looks_now, read_noun_phrase
+from verbteach.dialogue.setting import Setting
 from verbteach.dialogue.speech import Speech
-from verbteach.dialogue.whence import together
 from verbteach.language import household
 from verbteach.language.agreement import agree
 from verbteach.language.anaphora import resolve
-from verbteach.language.answers import read_answer
-from verbteach.language.attachment import attach
 from verbteach.language.ellipsis import Ellipsis, applied, read_ellipsis
-from verbteach.language.frames import Argument, NounPhrase, VerbFrame
+from verbteach.language.frames import VerbFrame
 from verbteach.language.grammar import EMPTY_LEXICON, Unread, explain_unread, parse
-from verbteach.language.looks import Looks
-from verbteach.language.refer import Candidates, refer
 from verbteach.language.small_talk import (
     Talk,
     asks_in_a_command,
@@ -30,10 +25,9 @@ from verbteach.language.small_talk import (
     to_be_shown,
     without_greeting,
 )
-from verbteach.language.typos import suggest, suggest_verb
+from verbteach.language.typos import suggest_verb
 from verbteach.language.wording import Wording
 
-_ALL = frozenset({"all", "both"})
 _CALLED = re.compile(r"(?:,|(?<=please)|(?<=thanks)|(?<=now))\s+robot[\s.!?]*$", re.IGNORECASE)
 """The robot called at the end of a command."""
 _LONGEST_COMMAND = 1000
@@ -56,19 +50,6 @@ class CommandReading:
     question: str = ""
     asks: bool = False
     shown: bool = False
-
-
-@dataclass(frozen=True)
-class Reply:
-    """An answer's label (yes, no, unsure or empty), what else was said, and what is unclear.
-
-    ``reserved``: a yes with something against it or beside it.
-    """
-
-    label: str
-    rest: str = ""
-    problem: str = ""
-    reserved: bool = False
 
 
 def read_command(draft: Draft, text: str, *, as_said: bool = False) -> CommandReading:
@@ -139,7 +120,7 @@ def _is_nonsense(draft: Draft, frames: tuple[VerbFrame, ...]) -> bool:
         frame.arguments and frame.verb not in known and frame.verb.split()[0] not in known
         for frame in frames
     ) and not any(
-        fitting_objects(draft, argument, looks) or _guesses(draft, argument, looks)
+        fitting_objects(draft, argument, looks) or guesses(draft, argument, looks)
         for frame in frames
         for argument in frame.arguments
     )
@@ -171,129 +152,6 @@ def clause_text(frame: VerbFrame) -> str:
     return Wording(EMPTY_LEXICON, str).clause(frame)
 
 
-def attached(draft: Draft, frame: VerbFrame) -> VerbFrame:
-    """The frame with its prepositional phrases where the scene says that they belong."""
-    return attach(frame, looks_now(draft), [thing for _, thing in draft.state.spoken])
-
-
-def read_reply(text: str, *, verdict: bool = False) -> Reply:
-    """Read yes, no, don't know and what else was said."""
-    reading = read_answer(text, verdict=verdict)
-    if reading.label is not None:
-        return Reply(reading.label.value, reading.rest, reserved=reading.reserved)
-    if reading.contradictory:
-        return Reply("", "", "Is that a yes or a no? I heard both.")
-    talk = Talk.WAIT if text.strip(" .!").lower() == "wait" else small_talk(text)
-    if talk in _PASSING:
-        return Reply("unsure")
-    if talk is not None and talk in _ANSWERED:
-        return Reply("", "", _ANSWERED[talk])
-    return Reply("", reading.rest, "I did not understand that. Is it yes, no, or don't you know?")
-
-
-def read_verdict(text: str) -> Reply:
-    """Read yes, no or skip as a verdict on what was done or read back; else no label."""
-    reply = read_reply(text, verdict=True)
-    if reply.label == "unsure":
-        return Reply("skip" if small_talk(text) in _PASSING else "")
-    return reply
-
-
-def ground_phrases(draft: Draft, frame: VerbFrame) -> tuple[GroundingBelief, frozenset[str]]:
-    """The grounding belief at the start, and the phrases whose words had to be guessed.
-
-    The words alone weigh here, without the contents that ``own.ground`` passes
-    on: in the bundled lessons those make clear phrases unclear. What a phrase
-    has meant before speaks for it (section 4.3: *Grd* is initialised with
-    existing knowledge). In one command a phrase keeps the meaning that it had
-    in an earlier clause. Something taken from somewhere is there.
-    """
-    looks = looks_now(draft)
-    weights: dict[str, Mapping[str, float]] = {}
-    guessed = set()
-    same = dict(draft.state.referents)
-    for argument in frame.arguments:
-        if argument.phrase.text in same:
-            weights[argument.phrase.text] = {same[argument.phrase.text]: 1.0}
-            continue
-        found = fitting_objects(draft, argument, looks)
-        if not found:
-            found = _guesses(draft, argument, looks)
-            guessed |= {argument.phrase.text} if found else set()
-        weights[argument.phrase.text] = _experienced(draft, argument.phrase.text, found)
-    return GroundingBelief.of(together(frame, weights, looks)), frozenset(guessed)
-
-
-def fitting_objects(draft: Draft, argument: Argument, looks: Looks) -> Candidates:
-    """The objects that an argument of the command may mean by its own words.
-
-    "There" is the last place spoken of, "both" and "all of them" are no single thing.
-    """
-    spoken = [thing for _, thing in draft.state.spoken]
-    if argument.phrase.head == "there":
-        return tuple((thing, 1.0) for thing in spoken if _is_place(draft, thing))[-1:]
-    found = refer(argument.phrase, looks, spoken, argument.role)
-    points = argument.phrase.is_pronoun or argument.phrase.head in _ALL
-    several = points and argument.phrase.text.split(" ")[0] in _ALL
-    return () if several and len(found) == 1 else found
-
-
-def _is_place(draft: Draft, thing: str) -> bool:
-    """Whether it is something that stands where it stands: nothing puts it anywhere."""
-    scene = draft.mind.setting.scene
-    first = Looks.at(scene, scene.initial, draft.mind.setting.lexicon)
-    return first.is_thing(thing) and first.place(thing) is None
-
-
-def _guesses(draft: Draft, argument: Argument, looks: Looks) -> Candidates:
-    """What the phrase would mean if its noun were a known one that is spelled much like it.
-
-    Else what its noun means without the words before it that describe nothing here ("teh tv").
-    """
-    phrase = argument.phrase
-    heads = suggest(phrase.head, draft.mind.setting.vocabulary)
-    for head in heads:
-        found = refer(replace(phrase, head=head), looks)
-        if found:
-            return found
-    fitting = tuple(
-        word for word in phrase.modifiers if any(looks.has_mark(o, word) for o in looks.objects)
-    )
-    for head in (phrase.head, *heads) if fitting != phrase.modifiers else ():
-        found = refer(replace(phrase, head=head, modifiers=fitting), looks)
-        if found:
-            return found
-    return ()
-
-
-def _experienced(draft: Draft, phrase: str, found: Candidates) -> dict[str, float]:
-    """Each past use of the phrase for an object counts as much as a perfect fit."""
-    experience = draft.state.experience
-    return {thing: fit + experience.get((phrase, thing), 0) for thing, fit in found}
-
-
-def read_noun_phrase(draft: Draft, text: str) -> NounPhrase | None:
-    """Read a bare noun phrase: as the object of a verb that takes any."""
-    setting = draft.mind.setting
-    bare = text.removeprefix("it 's ").removeprefix("it is ").removeprefix("that is ")
-    frames = parse(f"take {bare}", setting.lexicon, setting.vocabulary)
-    return frames[0].phrases[0] if frames and frames[0].phrases else None
-
-
-def check_object(setting: Setting, object_id: str) -> None:
-    """Raise ``UnknownObjectError`` unless the scene has the object."""
-    if object_id not in setting.scene.objects:
-        near = suggest(object_id, setting.scene.objects)
-        offer = f"; did you mean {near[0]}?" if near else ""
-        raise UnknownObjectError(f"there is no object {object_id!r} in {setting.scene.id}{offer}")
-
-
-def looks_now(draft: Draft) -> Looks:
-    """How things are just now, for words to refer to."""
-    setting = draft.mind.setting
-    return Looks.at(setting.scene, draft.state.world, setting.lexicon)
-
-
 _UNREAD: Mapping[Unread, str] = {
     Unread.EMPTY: "I heard nothing. Tell me what to do, as in: {example}.",
     Unread.NO_WORDS: "I see no words in that. Tell me what to do, as in: {example}.",
@@ -303,15 +161,6 @@ _UNREAD: Mapping[Unread, str] = {
         " Tell me what to do, as in: {example}."
     ),
     Unread.NO_VERB: "I find no verb in that. Tell me what to do with what, as in: {example}.",
-}
-_PASSING = frozenset({Talk.GIVE_UP, Talk.ABSENT})
-_ANSWERED: Mapping[Talk, str] = {
-    Talk.HELP: "To hear why I ask, say why. You can also skip the question.",
-    Talk.REPEAT: "Once more:",
-    Talk.WAIT: "I am waiting.",
-    Talk.BACK: "To take back what you said last, say undo.",
-    Talk.LEAVE: "To leave, say quit; you can go on later.",
-    Talk.SHOW: "To show me yourself, say show.",
 }
 _NONSENSE = "I know none of these words. Say it in other words, as in: {example}."
 _NOTHING = "There is nothing that I am asking or doing. "

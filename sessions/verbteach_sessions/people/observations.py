@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 from verbteach.dialogue import acts
 from verbteach.dialogue.acts import RobotAct, TeacherAct
+from verbteach.dialogue.replies import read_reply
 from verbteach.dialogue.setting import Settings
-from verbteach.dialogue.understanding import read_reply
 from verbteach_sessions.header import SIMULATED
 from verbteach_sessions.people.golds import Gold, Later, LessonBook
 from verbteach_sessions.people.habits import ASKED

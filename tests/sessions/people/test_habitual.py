@@ -13,9 +13,9 @@ from tests.sessions.people.corpus import book, settings
 from verbteach.dialogue import acts
 from verbteach.dialogue.lesson import Lesson
 from verbteach.dialogue.parameters import RobotParameters
+from verbteach.dialogue.replies import read_reply
 from verbteach.dialogue.robot import Robot
 from verbteach.dialogue.simulated import SimulatedTeacher
-from verbteach.dialogue.understanding import read_reply
 from verbteach.perception.noise import NoiseModel
 from verbteach.policy.fixed_rules import RandomPolicy
 from verbteach_sessions.driving import drive
