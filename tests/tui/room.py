@@ -19,6 +19,7 @@ from verbteach_sessions.session import Session
 from verbteach_tui.app import VerbteachApp
 from verbteach_tui.keyguard import KeyGuard
 from verbteach_tui.options import AppOptions, OpenHome, Opening, OpenNew, OpenSession
+from verbteach_tui.screens.home import HomeScreen
 from verbteach_tui.screens.teach import TeachScreen
 from verbteach_tui.widgets.command_input import CommandInput
 from verbteach_tui.widgets.dialogue_view import DialogueView
@@ -74,7 +75,10 @@ class Room:
 
     def hurry(self) -> None:
         """Let keys count however fast they come."""
-        self.teach.guard = KeyGuard(0.0, 0.0)
+        if isinstance(self.app.screen, HomeScreen):
+            self.app.screen.pause = 0.0
+        else:
+            self.teach.guard = KeyGuard(0.0, 0.0)
 
     @property
     def phase(self) -> str:
@@ -188,7 +192,7 @@ async def room(
     async with piloted(app, size) as pilot:
         here = Room(app, pilot)
         await here.settle()
-        if not isinstance(opening, OpenHome) and not patient:
+        if not patient:
             here.hurry()
         yield here
     app.close_sessions()

@@ -15,7 +15,7 @@ from tests.study.files import SMALL, study
 from tests.tui.fits import SIZES, check_fits_everywhere
 from tests.tui.frames import piloted
 from tests.tui.lab.test_lab import ROW, SLOW, worker
-from tests.tui.room import BOIL_THE_WATER, options, room, said
+from tests.tui.room import BOIL_THE_WATER, Room, options, room, said
 from tests.tui.study.led import on_screen
 from tests.tui.test_app_layout import in_view
 from verbteach_tui.app import VerbteachApp
@@ -115,8 +115,7 @@ async def test_the_ways_in(tmp_path: Path) -> None:
         await pilot.pause(0.3)
         await check_fits_everywhere(pilot)
         await pilot.press("s")
-        await pilot.pause(0.2)
-        assert isinstance(app.screen, StudyChooser)
+        await Room(app, pilot).until(lambda: isinstance(app.screen, StudyChooser))
         await check_fits_everywhere(pilot)
     app.close_sessions()
 

@@ -147,8 +147,10 @@ class VerbteachApp(App[None]):
 
     def open_session(self, opening: OpenNew | OpenSession | OpenRecord) -> None:
         """Open a session in a worker, and enter it when it is open."""
-        what = opening.scene if isinstance(opening, OpenNew) else opening.path.name
-        self.push_screen(OpeningScreen(what))
+        if isinstance(opening, OpenNew):
+            self.push_screen(OpeningScreen(opening.scene, opening.command))
+        else:
+            self.push_screen(OpeningScreen(opening.path.name))
         if isinstance(opening, OpenRecord):
             work = partial(self._recalled, opening)
             self.run_worker(work, thread=True, exit_on_error=False, group="open")
@@ -199,16 +201,23 @@ class VerbteachApp(App[None]):
         from verbteach_tui.screens.teach import TeachScreen
 
         room = TeachScreen(message.teaching, self.options.speed, self.options.scenes(), self.load)
-        self.enter(room)
-        if self._is_first_time():
+        if not self.enter(room) and self._is_first_time():
             room.call_after_refresh(room.action_tour)
 
-    def enter(self, room: TeachScreen) -> None:
-        """Into a room; what was typed while it was opened stands in its line."""
+    def enter(self, room: TeachScreen) -> bool:
+        """Into a room; what was typed while it was opened stands in its line.
+
+        Whether a command was given before, which is then said there.
+        """
         before = self.screen
         self.switch_screen(room)
-        if isinstance(before, OpeningScreen) and before.typed:
+        if not isinstance(before, OpeningScreen):
+            return False
+        if before.command:
+            room.call_after_refresh(room.begin_by_saying, before.command)
+        if before.typed:
             room.call_after_refresh(room.take_early, before.typed)
+        return bool(before.command)
 
     def _is_first_time(self) -> bool:
         """Whether the tour was never offered here; from now on it was."""

@@ -21,9 +21,10 @@ class OpenHome:
 
 @dataclass(frozen=True)
 class OpenNew:
-    """Start teaching at once, in a new session in this scene."""
+    """Start teaching at once, in a new session in this scene; ``command`` is said first, if any."""
 
     scene: str
+    command: str = ""
 
 
 @dataclass(frozen=True)

@@ -156,7 +156,14 @@ class AnsweringScreen(SpeakingScreen):
             self.say(acts.Point(thing), character, "key")
         elif not self.thinking:
             self._word.begin(character, word)
+            self._drop_from_line(character)
             self.say_word(word, character, "key")
+
+    def _drop_from_line(self, character: str) -> None:
+        """A key that was typed into the line before, and did nothing there, is said now."""
+        line = self.query_one(CommandInput)
+        if line.value == character:
+            line.clear()
 
     def say_word(self, word: str, raw: str, via: str) -> None:
         """Say a word of the script; for a note, ask for its text first."""

@@ -4,20 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
+from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Horizontal, Vertical
 from textual.content import Content
 from textual.message import Message
 from textual.screen import Screen
+from textual.timer import Timer
+from textual.widget import Widget
 from textual.widgets import OptionList, Static
 from textual.widgets.option_list import Option
 
+from verbteach_tui.first_words import Go, first_words
+from verbteach_tui.messages import LineTyped
 from verbteach_tui.options import OpenNew, OpenRecord, OpenSession
 from verbteach_tui.views.visible import visible
+from verbteach_tui.widgets.first_line import FirstLine
 from verbteach_tui.widgets.foot import Foot
 from verbteach_tui.widgets.scene_chooser import LoadScene, SceneChooser
 
@@ -25,6 +32,8 @@ if TYPE_CHECKING:
     from verbteach_sessions.catalogue import Entry
 
 MOST = 60
+PAUSE = 0.5
+"""Seconds that a letter stands alone before it counts as a key, and begins no line."""
 _WELCOME = "Teach a robot what verbs mean. Choose a room."
 
 
@@ -39,7 +48,8 @@ class HomeScreen(Screen[None]):
     HELP = (
         "The home screen. At the top the scenes a new session can begin in, below them the "
         "sessions that can be gone on with. Tab goes from one to the other, Enter starts; p plays "
-        "the chosen session back, s leads into a study, l into the lab."
+        "the chosen session back, s leads into a study, l into the lab. Or just type what the "
+        "robot should do, as in: boil the water. Enter then begins in the chosen scene with that."
     )
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("q", "app.quit", "Quit"),
@@ -48,6 +58,7 @@ class HomeScreen(Screen[None]):
         Binding("s", "app.study", "Study"),
         Binding("n", "scenes", "New"),
         Binding("c", "sessions", "Continue"),
+        Binding("slash", "type", "Type", show=False),
     ]
 
     class Wanted(Message):
@@ -63,6 +74,8 @@ class HomeScreen(Screen[None]):
         super().__init__()
         self._scenes, self._load, self._sessions = scenes, load, sessions
         self._entries: Sequence[Entry] = ()
+        self.pause = PAUSE
+        self._alone: Timer | None = None
 
     def compose(self) -> ComposeResult:
         """A greeting, the scenes, the sessions."""
@@ -74,6 +87,9 @@ class HomeScreen(Screen[None]):
             sessions = OptionList(id="sessions", compact=True)
             sessions.border_title = "Go on with a session"
             yield sessions
+        with Horizontal(id="entry"):
+            yield Static("You ›", id="sign")
+            yield FirstLine(id="line")
         yield Foot()
 
     def on_mount(self) -> None:
@@ -115,6 +131,59 @@ class HomeScreen(Screen[None]):
         """Go on with a session."""
         if message.option_id is not None:
             self.post_message(self.Wanted(OpenSession(Path(message.option_id))))
+
+    # ---- typing
+
+    def on_key(self, event: events.Key) -> None:
+        """A letter is a key only where nothing more is typed; else a line begins with it."""
+        character, line = event.character, self.query_one(FirstLine)
+        if character is None or not event.is_printable or (character in "/ " and not line.value):
+            return
+        key = self.active_bindings.get(event.key)
+        before, alone = self.focused, self.focused is not line and not line.value
+        if key is not None and alone and not self.pause:
+            return
+        event.stop()
+        event.prevent_default()
+        line.focus()
+        line.insert_text_at_cursor(character)
+        if key is not None and alone:
+            press = partial(self._press, character, key.binding.action, before)
+            self._alone = self.set_timer(self.pause, press)
+
+    async def _press(self, character: str, action: str, before: Widget | None) -> None:
+        """Nothing came after the letter: do what its key does."""
+        line = self.query_one(FirstLine)
+        if line.value == character and line.has_focus:
+            line.clear()
+            self.set_focus(before)
+            await self.app.run_action(action, self)
+
+    def on_paste(self, event: events.Paste) -> None:
+        """What is pasted is meant for the line."""
+        event.stop()
+        line = self.query_one(FirstLine)
+        line.focus()
+        line.take_in(event.text)
+
+    async def on_line_typed(self, message: LineTyped) -> None:
+        """Begin with what was typed, or do what it means here."""
+        if self._alone is not None:
+            self._alone.stop()
+        self.query_one(FirstLine).sent()
+        chooser = self.query_one(SceneChooser)
+        meant = first_words(message.text, self._scenes())
+        if isinstance(meant, Go):
+            chooser.take_focus()
+            await self.app.run_action(meant.action, self)
+        elif scene := meant.scene or chooser.highlighted:
+            self.post_message(self.Wanted(OpenNew(scene, meant.command)))
+
+    def action_type(self) -> None:
+        """To the line."""
+        self.query_one(FirstLine).focus()
+
+    # ---- going about
 
     def action_scenes(self) -> None:
         """To the scenes."""

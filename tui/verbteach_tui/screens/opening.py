@@ -11,11 +11,14 @@ from verbteach_tui.views.visible import visible
 
 
 class OpeningScreen(Screen[None]):
-    """One line in the middle of the screen. ``typed`` is for the line of the room to come."""
+    """One line in the middle of the screen. ``typed`` is for the line of the room to come.
 
-    def __init__(self, what: str) -> None:
+    ``command`` was said before, and is the first thing that the robot is told there.
+    """
+
+    def __init__(self, what: str, command: str = "") -> None:
         super().__init__()
-        self._what = what
+        self._what, self.command = what, command
         self.typed = ""
 
     def compose(self) -> ComposeResult:
@@ -24,8 +27,8 @@ class OpeningScreen(Screen[None]):
 
     @property
     def _said(self) -> str:
-        typed = f"\n{visible(self.typed)}" if self.typed else ""
-        return f"Opening {visible(self._what)} …{typed}"
+        below = "".join(f"\n{visible(text)}" for text in (self.command, self.typed) if text)
+        return f"Opening {visible(self._what)} …{below}"
 
     def on_key(self, event: events.Key) -> None:
         """Who types at once loses nothing by it."""

@@ -17,6 +17,7 @@ from verbteach_sessions.script import ScriptAct, render
 from verbteach_sessions.session_acts import Quit, Redo, Undo
 from verbteach_tui.keys import MEANS, answers, anytime, told
 from verbteach_tui.messages import (
+    LineTyped,
     Refused,
     SessionLeft,
     StepLooked,
@@ -95,6 +96,11 @@ class TeachScreen(AnsweringScreen):
         """What was typed before the room was there, where a command is waited for."""
         if self.snapshot.phase is Phase.COMMAND:
             self.query_one(CommandInput).begin_with(typed.lstrip("/ "))
+
+    def begin_by_saying(self, command: str) -> None:
+        """Send a first command that was given before the room was there."""
+        self.query_one(CommandInput).begin_with(command)
+        self.on_line_typed(LineTyped(command))
 
     def type_on(self, character: str) -> bool:
         """Go on in the line with what was typed in front of this screen; whether that fits now."""

@@ -44,16 +44,17 @@ class CommandInput(Input):
         """Say what is wanted, with an ``example`` for who is elsewhere; and how it is completed."""
         self._wanted, self._example = wanted, example
         self._completion.complete = complete
-        self._say_what_is_wanted()
+        self.say_what_is_wanted()
 
-    def _say_what_is_wanted(self) -> None:
+    def say_what_is_wanted(self) -> None:
+        """What to type, or how to come here; for subclasses too."""
         away = f"Tab or / to type, as in: {self._example}"
         self.placeholder = self._wanted if self.has_focus else away
 
     def watch_has_focus(self, has_focus: bool) -> None:
         """Say what to type, or how to come back."""
         super().watch_has_focus(has_focus)
-        self._say_what_is_wanted()
+        self.say_what_is_wanted()
 
     def on_key(self, event: events.Key) -> None:
         """No line begins with the key that leads to this one: pressed once more it does nothing.

@@ -34,10 +34,12 @@ class Foot(RowsView, can_focus=False):
         self.screen.bindings_updated_signal.subscribe(self, self._changed)
         self._changed(self.screen)
 
-    def on_target_picked(self, message: TargetPicked) -> None:
-        """A click on a key presses it."""
+    async def on_target_picked(self, message: TargetPicked) -> None:
+        """A click on a key does at once what the key does."""
         message.stop()
-        self.app.simulate_key(message.target)
+        active = self.screen.active_bindings.get(message.target)
+        if active is not None and active.enabled:
+            await self.app.run_action(active.binding.action, active.node)
 
     def _changed(self, screen: Screen[object]) -> None:
         keys: dict[str, tuple[str, str]] = {}

@@ -93,7 +93,7 @@ class SceneChooser(Horizontal):
         if event.key == "backspace":
             found = self._typed.back(event.time)
         elif event.character and event.is_printable and not event.character.isspace():
-            found = self._typed.type(event.character, event.time, self._highlighted or "")
+            found = self._typed.type(event.character, event.time, self.highlighted or "")
         else:
             return
         event.stop()
@@ -129,7 +129,7 @@ class SceneChooser(Horizontal):
 
     def _look_at(self, scene: str) -> None:
         """Open a scene, unless the person has gone on meanwhile."""
-        if scene == self._highlighted and scene not in self._pictures:
+        if scene == self.highlighted and scene not in self._pictures:
             self.run_worker(
                 partial(self._look, scene),
                 thread=True,
@@ -149,11 +149,12 @@ class SceneChooser(Horizontal):
         message.stop()
         if message.picture is not None:
             self._pictures[message.scene] = message.picture
-        if self._highlighted == message.scene:
+        if self.highlighted == message.scene:
             self._show(message.scene, message.problem)
 
     @property
-    def _highlighted(self) -> str | None:
+    def highlighted(self) -> str | None:
+        """The scene under the cursor."""
         option = self.query_one("#scene-list", OptionList).highlighted_option
         return option.id if option else None
 
