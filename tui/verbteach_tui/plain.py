@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from verbteach_sessions.session import Session
 
 DONE, WRONG = 0, 2
+_COMMAND = "verbteach "
 NOTE = "Note: type help for what you can say, look for what is in the room."
 
 
@@ -166,11 +167,16 @@ def _prompt(talk: Conversation, out: TextIO) -> Callable[[str], str]:
 
 def _print(out: TextIO, lines: Iterable[str]) -> None:
     for line in lines:
-        print(_broken(line) if out.isatty() else line, file=out, flush=True)
+        print(as_rows(line) if out.isatty() else line, file=out, flush=True)
 
 
-def _broken(line: str) -> str:
-    """The line as a terminal's rows: it would break within words, and readers speak by the row."""
+def as_rows(line: str) -> str:
+    """The line as a terminal's rows: it would break within words, and readers speak by the row.
+
+    A command stays whole, or else it could not be copied.
+    """
+    if line.startswith(_COMMAND):
+        return line
     width = max(get_terminal_size().columns - 1, 20)
     rows = wrap(line, width, break_long_words=False, break_on_hyphens=False)
     return "\n".join(rows)

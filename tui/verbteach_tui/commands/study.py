@@ -60,7 +60,8 @@ def new(
         emit({"file": str(path)})
     else:
         tell(f"Written: {path}")
-        tell(f"Change it, check it (verbteach study check {path}), try it yourself:")
+        tell("Change it, check it, try it yourself:")
+        tell(f"verbteach study check {path}")
         tell(f"verbteach teach --study {path} --sessions {folder / 'trial'}")
 
 
@@ -176,7 +177,12 @@ def _row(row: Row) -> tuple[object, ...]:
     state = "finished" if row.finished else "here now" if row.here else "away"
     marks = [state, *["stopped early"] * row.stopped, *["file has changed since"] * row.changed]
     place, step = f"{row.slot}", f"{row.done + 1}/{row.steps}"
-    return (row.participant, place, " > ".join(row.order), row.at, step, row.seen, ", ".join(marks))
+    return (row.participant, place, " > ".join(row.order), row.at, step, _moment(row.seen), ", ".join(marks))
+
+
+def _moment(iso: str) -> str:
+    """As in 2030-01-01 09:00, in UTC as in the record."""
+    return iso[:16].replace("T", " ")
 
 
 def _listed(value: object) -> object:

@@ -25,6 +25,7 @@ from verbteach_tui.study.run import StudyRun, is_practice, is_teaching
 _NOT_KEPT = "Nothing has changed. Try again; if that does not help, tell whoever invited you."
 CONSENT = (Choice("yes", "y", "I agree"), Choice("no", "n", "I do not agree"))
 BEGIN = (Choice("begin", "enter", "Begin"),)
+GO_ON = (Choice("begin", "enter", "Go on"),)
 DONE = (Choice("leave", "enter", "Done"),)
 
 
@@ -69,7 +70,8 @@ class StudyApp(VerbteachApp):
             text = f"{study.consent}\n\n{words.ASK_CONSENT}"
             self._show(ReadingScreen(study.title, "Consent", text, CONSENT))
         elif is_teaching(run.step):
-            self._show(ReadingScreen(study.title, self._heading, self._intro(lead), BEGIN))
+            choices = GO_ON if run.has_begun else BEGIN
+            self._show(ReadingScreen(study.title, self._heading, self._intro(lead), choices))
         elif run.step.kind is Kind.INSTRUCTIONS:
             text = f"{words.CODE.format(code=run.code)}\n\n{study.instructions}"
             self._show(ReadingScreen(study.title, "Instructions", text))
@@ -88,8 +90,10 @@ class StudyApp(VerbteachApp):
 
     def _intro(self, lead: str) -> str:
         run = self.run_through
+        back = words.WELCOME_BACK if run.has_begun else ""
         practice = words.PRACTICE if is_practice(run.step) else ""
-        return "\n\n".join(text for text in (lead, practice, run.lessons.text, _HOW) if text)
+        texts = (lead, back, practice, run.lessons.text, _HOW)
+        return "\n\n".join(text for text in texts if text)
 
     def _thank(self) -> str:
         visit = self.run_through.here

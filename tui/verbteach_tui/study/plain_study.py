@@ -117,12 +117,13 @@ class StudyTalk:
         return self._entered()
 
     def _lesson_begins(self) -> list[str]:
+        back = [words.WELCOME_BACK] if self._run.has_begun else []
         practice = [words.PRACTICE] if self._kind is Kind.PRACTICE else []
         self._lesson = LessonTalk(self._run, self._run.open_session())
         how = "Type help for what you can say, quit to pause, end to stop taking part."
         repaired = [f"Note: {visible(text)}" for text in self._lesson.session.recovered]
         opening = self._lesson.opening()
-        return [*practice, *_lines(self._run.lessons.text), how, *repaired, *opening]
+        return [*back, *practice, *_lines(self._run.lessons.text), how, *repaired, *opening]
 
     def _taught(self, lesson: LessonTalk, line: str, via: str) -> list[str]:
         lines = lesson.hear(line, via)

@@ -121,10 +121,16 @@ class StudyRun:
         """What is shown beside the dialogue."""
         return frozenset(self.condition.panels)
 
+    @property
+    def has_begun(self) -> bool:
+        """Whether this step has a session already: the participant has come back to it."""
+        begun = self.here.session
+        return begun is not None and begun.is_dir()
+
     def open_session(self) -> Session:
         """The session of this step: the one that was begun, or a new one. Raises as those do."""
         visit = self.here
-        if visit.session is not None and visit.session.is_dir():
+        if visit.session is not None and self.has_begun:
             return self._with(visit).resume(visit.session)
         session = self._with(visit).create(visit.lessons.first_scene(visit.step.part))
         visit.began(session.path.name)

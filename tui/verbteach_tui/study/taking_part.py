@@ -41,6 +41,7 @@ def _run(beginning: Beginning, file: Path) -> StudyRun:
 
 def _on_screen(run: StudyRun, theme: str | None, out: TextIO) -> int:
     from verbteach_tui.options import OpenNew
+    from verbteach_tui.plain import as_rows
     from verbteach_tui.room import app_options
     from verbteach_tui.study.app import StudyApp
 
@@ -55,7 +56,7 @@ def _on_screen(run: StudyRun, theme: str | None, out: TextIO) -> int:
         raise app.failure
     if run.beginning.interface != "browser":  # there standard output belongs to the screen
         for line in app.farewell or _farewell(run):
-            print(line, file=out)
+            print(as_rows(line) if out.isatty() else line, file=out)
     return app.return_code or os.EX_OK
 
 

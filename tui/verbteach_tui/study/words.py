@@ -9,7 +9,8 @@ from verbteach_sessions.study.stopping import LESSONS, MASTERY, MINUTES, TASKS
 ASK_CONSENT = "Do you agree to take part?"
 REFUSED = "You do not take part. Nothing has been kept."
 CODE = "Your code is {code}. With it you can come back, and later have your record deleted."
-BACK = "To come back: {command}"
+BACK = "To come back:"
+WELCOME_BACK = "Welcome back. You go on where you were."
 PAUSED = "Paused. Everything is kept; you go on where you are now."
 PRACTICE = "Practice: what the robot learns now is forgotten afterwards."
 STOP_ASKED = (
@@ -40,7 +41,7 @@ WITHDRAWAL = (
 
 def paused(code: str, command: str) -> tuple[str, ...]:
     """What is said to one who leaves before the end; ``command`` leads back."""
-    return PAUSED, CODE.format(code=code), BACK.format(command=command)
+    return PAUSED, CODE.format(code=code), BACK, command
 
 
 def headed(number: int, total: int, text: str) -> str:
