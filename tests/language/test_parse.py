@@ -191,3 +191,16 @@ def test_the_data_form_is_the_command_line_contract() -> None:
         ("obj", "mug", ["red", "on:counter"]),
         ("to", "me", []),
     ]
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        ("Have the robot boil some water.", "boil some water"),
+        ("tell our robot to open the fridge", "open the fridge"),
+        ("the robot should turn on the television", "turn on the television"),
+        ("i want the robot to wash the mug", "wash the mug"),
+    ],
+)
+def test_a_task_given_as_of_the_robot_is_the_command_to_it(said: str, meant: str) -> None:
+    assert parse(said) == parse(meant)
