@@ -1,19 +1,20 @@
-"""The sessions in a folder, in short: read from the two ends of each log, so that listing is quick.
+"""The sessions in a folder, in short: what the two ends of each log say, so that listing is quick.
 
-It judges no record; opening one does.
+Of the lines between it asks only whether they are those that were written.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
 
 from verbteach_sessions import events as kinds
-from verbteach_sessions.errors import NotASessionError, UnsafeNameError
-from verbteach_sessions.eventlog import LOG_NAME
+from verbteach_sessions.chain import hangs_together
+from verbteach_sessions.errors import LogError, NotASessionError, UnsafeNameError
+from verbteach_sessions.eventlog import LOG_NAME, LogReader
 from verbteach_sessions.files import open_regular
 from verbteach_sessions.lines import MAX_LINE, LineError, parse
 from verbteach_sessions.lock import in_use
@@ -29,6 +30,7 @@ _TAIL = 256 * 1024
 class Entry:
     """One session. ``problem`` says why it cannot be resumed, and is empty where it can.
 
+    ``advice`` says what to do where the problem is a damaged log.
     ``created`` is ISO 8601 in UTC. What could not be read is empty or 0.
     """
 
@@ -41,6 +43,7 @@ class Entry:
     verbs_learned: tuple[str, ...] = ()
     ended: bool = False
     problem: str = ""
+    advice: str = ""
 
     @property
     def resumable(self) -> bool:
@@ -101,6 +104,7 @@ def entry(path: Path) -> Entry:
         with open_regular(path / LOG_NAME) as log:
             header = _header(log)
             last = _tail(log)
+            problem, advice = _damage(path, log)
     except (NotASessionError, LineError) as error:
         return Entry(path, path.name, problem=str(error))
     after, ended = _standing(last)
@@ -116,8 +120,24 @@ def entry(path: Path) -> Entry:
         episodes=episodes if isinstance(episodes, int) else 0,
         verbs_learned=tuple(str(v) for v in verbs) if isinstance(verbs, list) else (),
         ended=ended,
-        problem="it is open in another place" if in_use(path) else "",
+        problem="it is open in another place" if in_use(path) else problem,
+        advice=advice,
     )
+
+
+def _damage(path: Path, log: BinaryIO) -> tuple[str, str]:
+    """What is wrong with a log that has a beginning, and what to do; nothing where it is whole."""
+    log.seek(0)
+    if hangs_together(log):
+        return "", ""
+    try:
+        for _ in LogReader(path):
+            pass
+    except LogError as error:
+        return f"line {error.line} {error.problem}", error.advice
+    except NotASessionError as error:
+        return str(error), ""
+    return "", ""
 
 
 def find_session(folder: Path, name: str) -> Path:
@@ -143,18 +163,24 @@ def _header(log: BinaryIO) -> Mapping[str, Any]:
     return _object(event.get("data"))
 
 
-def _tail(log: BinaryIO) -> Iterator[Mapping[str, Any]]:
-    """The last events, the last one first; a line that is torn or broken is passed over."""
+def _tail(log: BinaryIO) -> Sequence[Mapping[str, Any]]:
+    """The last events, the last one first, back to one that says what held after it.
+
+    A line that is torn or broken is passed over.
+    """
     size = log.seek(0, os.SEEK_END)
+    found: list[Mapping[str, Any]] = []
     for length in (_TAIL, MAX_LINE + _TAIL):
         log.seek(max(0, size - length))
-        found = [_lenient(raw) for raw in reversed(log.read().split(b"\n"))]
-        if any("after" in _object(event.get("data")) for event in found):
-            break
-    return iter(found)
+        found = []
+        for raw in reversed(log.read().split(b"\n")):
+            found.append(_lenient(raw))
+            if isinstance(_object(found[-1].get("data")).get("after"), dict):
+                return found
+    return found
 
 
-def _standing(events: Iterator[Mapping[str, Any]]) -> tuple[Mapping[str, Any], bool]:
+def _standing(events: Iterable[Mapping[str, Any]]) -> tuple[Mapping[str, Any], bool]:
     """The last event's word on the state that holds, and whether the session has ended."""
     ended = False
     reopened = False

@@ -100,7 +100,7 @@ def test_a_torn_last_line_does_not_hide_what_holds(tmp_path: Path) -> None:
         (b'{"v":9}\n', "version 9"),
         (b'{"v":1,"type":"note"}\n', "no header"),
         (b"[" * 100_000, "nested too deeply"),
-        (b'{"v":1,"type":"header","data":{"created":[],"scene":7,"participant":{}}}\n', ""),
+        (b'{"v":1,"type":"header","data":{"created":[],"scene":7,"participant":{}}}\n', "its hash"),
     ],
 )
 def test_whatever_is_in_a_log_the_list_goes_on(
@@ -126,12 +126,27 @@ def test_what_is_no_session_is_not_listed(tmp_path: Path) -> None:
     assert (one.id, one.resumable) == ("pipe", False)
 
 
-def test_a_long_log_is_read_at_its_ends_only(tmp_path: Path) -> None:
+def _replaced(lines: list[bytes], at: int) -> list[bytes]:
+    return [*lines[:at], lines[at].replace(b'"at":', b'"at":1', 1), *lines[at + 1 :]]
+
+
+@pytest.mark.parametrize("at", [1, 4, -1])
+def test_a_line_changed_anywhere_is_said_with_its_number(tmp_path: Path, at: int) -> None:
     path = recorded(tmp_path, BOIL)
     lines = raw_lines(path)
-    holes = b"\n".join([b"x" * 1000] * 5000) + b"\n"
-    (path / LOG_NAME).write_bytes(lines[0] + holes + b"".join(lines[1:]))
-    assert entry(path).verbs_learned == ("boil",), "the middle is not looked at"
+    (path / LOG_NAME).write_bytes(b"".join(_replaced(lines, at % len(lines))))
+    listed = entry(path)
+    assert listed.problem.startswith(f"line {at % len(lines) + 1} was changed")
+    assert "restore the file from a copy" in listed.advice
+    assert not listed.resumable
+    assert listed.scene == "kitchen-1", "what can be read is told all the same"
+
+
+def test_a_line_that_was_lost_is_said(tmp_path: Path) -> None:
+    path = recorded(tmp_path, BOIL)
+    lines = raw_lines(path)
+    (path / LOG_NAME).write_bytes(b"".join([*lines[:5], *lines[6:]]))
+    assert "line 6 is event 6 where event 5 should stand" in entry(path).problem
 
 
 def test_a_session_is_found_by_name_and_only_in_its_folder(tmp_path: Path) -> None:

@@ -19,8 +19,9 @@ STOPPED = "stopped"
 class Standing:
     """How far a session is.
 
-    ``right``: for each command that is over, whether it was carried out and
-    judged right. ``seconds`` of session time. ``between``: no command is under way.
+    ``right``: for each sentence whose commands are over, whether all of them were
+    carried out and judged right. ``seconds`` of session time. ``between``: no command
+    is under way.
     """
 
     right: tuple[bool, ...]
@@ -31,12 +32,20 @@ class Standing:
     def of(cls, turns: Sequence[Node], seconds: float) -> Standing:
         """The standing after the turns that hold, the last one now on the screen."""
         right: list[bool] = []
-        for before, now in pairwise(turn.after["totals"] for turn in turns):
-            ended = int(now["episodes"] - before["episodes"])
-            well = int(now["successes"] - before["successes"])
-            right += [True] * well + [False] * (ended - well)
+        ended = well = 0
+        for before, now in pairwise(turns):
+            ended += _more(before, now, "episodes")
+            well += _more(before, now, "successes")
+            # Of several commands in a sentence the next one follows at once: they are one task.
+            if ended and now.phase == Phase.COMMAND.value:
+                right.append(well == ended)
+                ended = well = 0
         phase = turns[-1].phase if turns else Phase.COMMAND.value
         return cls(tuple(right), seconds, phase == Phase.COMMAND.value)
+
+
+def _more(before: Node, now: Node, count: str) -> int:
+    return int(now.after["totals"][count] - before.after["totals"][count])
 
 
 def ended_by(lessons: Lessons, part: int, now: Standing) -> str:

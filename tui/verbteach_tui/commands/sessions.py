@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def list_sessions(sessions: SessionsFolder = None, as_json: JsonFlag = False) -> None:
-    """List the sessions in a folder, the newest first."""
+    """List the sessions in a folder, the newest first; of those that are damaged, where and how."""
     from verbteach_sessions import catalogue
 
     folder = sessions or catalogue.default_folder()
@@ -35,13 +35,26 @@ def list_sessions(sessions: SessionsFolder = None, as_json: JsonFlag = False) ->
         emit({"folder": str(folder), "sessions": [entry.to_json() for entry in entries]})
     elif entries:
         tell(columns([("SESSION", "SCENE", "EPISODES", "VERBS", "STATE"), *map(_row, entries)]))
+        _tell_problems([entry for entry in entries if entry.problem])
     else:
         note(f"no session in {folder}")
 
 
 def _row(entry: Entry) -> tuple[object, ...]:
-    state = entry.problem or ("left" if entry.ended else "open")
-    return entry.id, entry.scene, entry.episodes, _few(entry.verbs_learned), state
+    return entry.id, entry.scene, entry.episodes, _few(entry.verbs_learned), _state(entry)
+
+
+def _state(entry: Entry) -> str:
+    if entry.problem:
+        return "DAMAGED" if entry.advice else "not usable now"
+    return "left" if entry.ended else "open"
+
+
+def _tell_problems(entries: Sequence[Entry]) -> None:
+    """Below the list, so that what is wrong and what to do can be read whole."""
+    for entry in entries:
+        tell()
+        tell(f"{entry.id}: {entry.problem}" + (f"; {entry.advice}" if entry.advice else ""))
 
 
 def _few(verbs: Sequence[str], most: int = 5) -> str:

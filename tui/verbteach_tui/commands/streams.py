@@ -6,6 +6,7 @@ import json
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from shutil import get_terminal_size
 from typing import TYPE_CHECKING, Any, Protocol
 
 from verbteach_tui.standard_streams import is_unicode
@@ -37,9 +38,25 @@ def _visible(text: str) -> str:
 
 
 def columns(rows: Sequence[Sequence[object]]) -> str:
-    """Rows as aligned columns without boxes; a column of numbers stands to the right."""
+    """Rows as aligned columns without boxes; a column of numbers stands to the right.
+
+    Where the first row is a heading and a terminal is too narrow for the
+    widest one, each row becomes a few lines, with the heading before each cell.
+    """
     made = [_column(column) for column in zip(*rows, strict=True)]
-    return "\n".join("  ".join(line).rstrip() for line in zip(*made, strict=True))
+    lines = ["  ".join(line).rstrip() for line in zip(*made, strict=True)]
+    if _has_heading(rows) and 0 < _room() < max(map(len, lines)):
+        return "\n\n".join(columns([*zip(rows[0], row, strict=True)]) for row in rows[1:])
+    return "\n".join(lines)
+
+
+def _has_heading(rows: Sequence[Sequence[object]]) -> bool:
+    return len(rows) > 1 and all(isinstance(cell, str) and cell.isupper() for cell in rows[0])
+
+
+def _room() -> int:
+    """The columns of the terminal that is written to; 0 where it is none."""
+    return get_terminal_size((0, 0)).columns if sys.stdout.isatty() else 0
 
 
 def _column(cells: Sequence[object]) -> list[str]:

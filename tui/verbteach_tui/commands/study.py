@@ -177,7 +177,15 @@ def _row(row: Row) -> tuple[object, ...]:
     state = "finished" if row.finished else "here now" if row.here else "away"
     marks = [state, *["stopped early"] * row.stopped, *["file has changed since"] * row.changed]
     place, step = f"{row.slot}", f"{row.done + 1}/{row.steps}"
-    return (row.participant, place, " > ".join(row.order), row.at, step, _moment(row.seen), ", ".join(marks))
+    return (
+        row.participant,
+        place,
+        " > ".join(row.order),
+        row.at,
+        step,
+        _moment(row.seen),
+        ", ".join(marks),
+    )
 
 
 def _moment(iso: str) -> str:
