@@ -117,9 +117,15 @@ def test_a_made_up_verb_may_be_taught() -> None:
     assert turn.phase is Phase.DEMONSTRATION
 
 
-def test_a_mistyped_article_is_asked_about() -> None:
+def test_an_unknown_word_for_an_article_is_asked_about() -> None:
+    turn = tell(robot("kitchen-1"), acts.Command("open ze fridge"))
+    assert turn.texts == ('I do not know "ze fridge". Do you mean the fridge?',)
+
+
+def test_fingers_that_turn_an_article_round_are_understood() -> None:
     turn = tell(robot("kitchen-1"), acts.Command("open teh fridge"))
-    assert turn.texts == ('I do not know "teh fridge". Do you mean the fridge?',)
+    assert turn.phase is Phase.DEMONSTRATION
+    assert turn.reading == "open the fridge"
 
 
 def test_of_several_things_one_is_asked_for_in_good_english() -> None:

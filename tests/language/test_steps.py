@@ -94,7 +94,7 @@ def test_an_action_that_cannot_be_done_is_read_all_the_same() -> None:
     ("text", "hint"),
     [
         ("take the ketle", "If you mean the kettle, please say it like that."),
-        ("go to teh kettle", "If you mean the kettle, please say it like that."),
+        ("go to ze kettle", "If you mean the kettle, please say it like that."),
         ("take the unicorn", 'nothing here that I would call "the unicorn"'),
         ("put the kettle", '"put … on …"'),
         ("tkae the kettle", 'If you mean "take"'),

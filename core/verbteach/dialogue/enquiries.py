@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from verbteach.dialogue.draft import Draft
+from verbteach.dialogue.facts import Facts
 from verbteach.dialogue.referring import read_noun_phrase
 from verbteach.dialogue.seeing import perceived
 from verbteach.dialogue.speech import Speech
@@ -18,25 +19,34 @@ from verbteach.language.grammar import parse
 from verbteach.language.looks import Looks
 from verbteach.language.morphology import listing
 from verbteach.language.refer import refer
+from verbteach.language.small_talk import small_talk
 from verbteach.language.tokens import COMMA, STOP, spelled_out, tokenise
-from verbteach.language.wordlist import phrase_list
-from verbteach.language.words import PREPOSITIONS
+from verbteach.language.wordlist import phrase_list, word_set
+from verbteach.language.words import PREPOSITIONS, QUESTION_WORDS
 from verbteach.world.fluents import Fluent, Literal
 
 _MOST_TOLD = 4
+_MOST_LISTED = 10
 Words = tuple[str, ...]
 
 
 def answer(draft: Draft, text: str) -> str:
     """The answer to a question in a sentence or two; empty where the robot has none."""
     words = tuple(t for t in tokenise(spelled_out(text)) if t not in {COMMA, STOP, "please"})
+    while words[:1] and words[0] in _BEFORE:
+        words = words[1:]
     told_to = next((lead for lead in _TELL if words[: len(lead)] == lead), ())
-    words = _straight(words[len(told_to) :])
-    if words in _ABOUT_KNOWLEDGE:
-        return known_verbs(draft)
-    if words in _ABOUT_PLACE:
-        return f"I am in {_speech(draft).place}."
-    for leads, told in ((_HOW_TO, _how_to), (_WHERE, _where), (_WHAT_IS, _what_is_there)):
+    asked = words[len(told_to) :]
+    if asked[:1] and asked[0] in _ASKED and asked[:2] != ("how", "to"):
+        words = _straight(asked)
+    if talk := next((told for those, told in _WHOLE if words in those), None):
+        return talk(draft)
+    return _told(draft, words) or _asked_to(draft, words)
+
+
+def _told(draft: Draft, words: Words) -> str:
+    """The answer to a question about things or about a verb."""
+    for leads, told in _ANSWERS:
         lead = next((lead for lead in leads if words[: len(lead)] == lead), ())
         if lead and words[len(lead) :] and (said := told(draft, words[len(lead) :])):
             return said
@@ -45,12 +55,23 @@ def answer(draft: Draft, text: str) -> str:
     return "To hear why I asked or did something, say why." if words[:1] == ("why",) else ""
 
 
+def _asked_to(draft: Draft, words: Words) -> str:
+    """The answer to "can you find the mug?", "can you fly?"."""
+    if words[:2] not in _REQUESTS or not words[2:] or small_talk(" ".join(words)):
+        return ""
+    return _told(draft, words[2:]) or (_how_to(draft, words[2:]) if words[0] in _ABLE else "")
+
+
 def _straight(words: Words) -> Words:
     """The question in "if the fridge is open": is the fridge open."""
     at = next((at for at, word in enumerate(words) if word in _COPULAS), 0)
-    if words[:1] in {("if",), ("whether",)} and at:
+    if words[:1] in {("if",), ("whether",), ("that",)} and at:
         return (words[at], *words[1:at], *words[at + 1 :])
     return words
+
+
+def _my_place(draft: Draft) -> str:
+    return f"I am in {_speech(draft).place}."
 
 
 def known_verbs(draft: Draft) -> str:
@@ -88,6 +109,45 @@ def _where(draft: Draft, words: Words) -> str:
     return " ".join(told) + more
 
 
+def _at(draft: Draft, words: Words) -> str:
+    """What is to be seen where one looks: "look at the fridge", "look in the fridge"."""
+    if words[0] in PREPOSITIONS - {"at", "for", "to", "after", "over", "like"}:
+        return _what_is_there(draft, words)
+    words = words[words[0] in _TOWARDS :]
+    speech = _speech(draft)
+    things = _things(draft, words, speech.looks) if words else []
+    if not things:
+        return _where(draft, words) if words else ""
+    return " ".join(
+        told
+        for thing in things[:_MOST_TOLD]
+        for told in (_place(thing, speech), *_states(thing, draft, speech))
+    )
+
+
+def _states(thing: str, draft: Draft, speech: Speech) -> Iterator[str]:
+    """How a thing is: what is so, and what is the other of two states, as closed is."""
+    task, lexicon = draft.mind.setting.task, draft.mind.setting.lexicon
+    for predicate, _, is_false in speech.looks.names.adjectives:
+        fluent = Fluent(predicate, (thing,))
+        holds = fluent in speech.looks.state
+        told = holds or (is_false and not is_false.startswith("not "))
+        if told and fluent in task.bit and predicate not in lexicon.unspoken:
+            yield _sentence(speech.words.describe(Literal(fluent, holds)))
+
+
+def _all_around(draft: Draft) -> str:
+    """What stands in the room, and how to ask for the rest."""
+    speech = _speech(draft)
+    looks = speech.looks
+    static = draft.mind.setting.task.static
+    standing = [o for o in looks.objects if looks.is_thing(o) and looks.place(o) is None]
+    held = {f.args[0] for f in static if len(f.args) == 2 and f.args[1] in standing}
+    parts = [o for o in standing if o not in held] or standing
+    named = [distinguish_by_looks(thing, looks) for thing in parts[:_MOST_LISTED]]
+    return f"I see {listing(named)}, and more. Ask me what is in or on one of them."
+
+
 def _place(thing: str, speech: Speech) -> str:
     name = speech.thing(thing)
     for fluent in sorted(speech.looks.state):
@@ -121,31 +181,14 @@ def _contents(place: str, preposition: str, speech: Speech) -> str:
 def _how_it_is(draft: Draft, words: Words) -> str:
     """Whether a thing is so: "is the fridge open?", "is the mug on the table?"."""
     speech = _speech(draft)
+    spoken = tuple(thing for _, thing in reversed(draft.state.spoken))
+    facts = Facts(draft, speech.looks, spoken)
     for end in range(len(words) - 1, 0, -1):
-        things = _things(draft, words[:end], speech.looks)
-        facts = [
-            f for thing in things[:_MOST_TOLD] for f in _asked(draft, thing, words[end:], speech)
-        ]
-        if facts:
-            told = [speech.words.describe(Literal(f, f in speech.looks.state)) for f in facts]
-            return " ".join(map(_sentence, told))
+        found = dict.fromkeys(one.fluent for one in facts.about(words[:end], words[end:]))
+        if found:
+            told = [Literal(f, f in speech.looks.state) for f in [*found][:_MOST_TOLD]]
+            return " ".join(_sentence(speech.words.describe(one)) for one in told)
     return ""
-
-
-def _asked(draft: Draft, thing: str, words: Words, speech: Speech) -> Iterator[Fluent]:
-    """The fluents of ``thing`` that the words after it speak of."""
-    task, looks = draft.mind.setting.task, speech.looks
-    if len(words) == 1:
-        meant = {*words} | looks.names.meant_by(words[0])
-        for predicate, *said in looks.names.adjectives:
-            fluent = Fluent(predicate, (thing,))
-            if not meant.isdisjoint(said) and task.is_fluent(fluent):
-                yield fluent
-    elif words[0] in PREPOSITIONS:
-        for place in _things(draft, words[1:], looks):
-            fluent = Fluent(words[0], (thing, place))
-            if task.is_fluent(fluent):
-                yield fluent
 
 
 def _things(draft: Draft, words: Sequence[str], looks: Looks) -> list[str]:
@@ -162,6 +205,9 @@ def _sentence(said: str) -> str:
     return f"{told[:1].upper()}{told[1:]}."
 
 
+_BEFORE = word_set("robot hey hi hello so ok okay well now and but")
+_ASKED = QUESTION_WORDS | {"if", "whether", "that"}
+_ABLE = frozenset({"can", "could"})
 _NOTHING_LEARNED = "I have learned no verb yet: tell me what to do, and show me how."
 _HELD = "grasping"
 _COPULAS = frozenset({"is", "are"})
@@ -181,15 +227,50 @@ _ABOUT_KNOWLEDGE = frozenset(
 _HOW_TO = phrase_list("""
     do you know how to, do you know, have you learned how to, have you learned to, have you learned,
     have you learnt how to, have you learnt to, did you learn how to, did you learn to,
-    are you able to, do you already know how to, did i teach you how to, did i teach you to
+    are you able to, do you already know how to, did i teach you how to, did i teach you to,
+    do you think you can, do you think that you can, would you be able to,
+    is it possible for you to, do you know to
 """)
-_TELL = phrase_list("tell me, can you tell me, could you tell me, would you tell me, show me")
+_TELL = phrase_list("""
+    tell me, can you tell me, could you tell me, would you tell me, do you know, show me,
+    check, see, look, find out, can you check, could you check, can you see, say, go see, go and see
+""")
 _WHERE = phrase_list("""
     where, see, if there is, whether there is,
     where is, where are, where 's, where did you put, where do you see, do you see, can you see,
     is there, are there, do you know where, which is, where was, what about
 """)
 _WHAT_IS = phrase_list("what is, what 's, what are, what do you see, what can you see, what lies")
+_AT = phrase_list("""
+    look, have a look, take a look, check, check on, inspect, examine, observe, watch, describe,
+    study, view, notice, recognize, recognise, look over, have a look over, glance, peek
+""")
+_FIND = phrase_list("""
+    find, look for, search, search for, locate, spot, seek, identify, detect, discover, show me,
+    point to, point at, point out, have a look for
+""")
+_TOWARDS = frozenset({"at", "to", "over", "out", "after", "closely", "inside"})
+_REQUESTS = frozenset(
+    {("can", "you"), ("could", "you"), ("will", "you"), ("would", "you"), ("do", "you")}
+)
+_ANSWERS = (
+    (_HOW_TO, _how_to),
+    (_WHERE, _where),
+    (_FIND, _where),
+    (_WHAT_IS, _what_is_there),
+    (_AT, _at),
+)
+_ABOUT_ROOM = frozenset(
+    phrase_list("""
+        look around, look, look around you, look about, have a look around, what do you see,
+        what can you see, what is here, what is there, what 's here, what 's there, what is around,
+        what is in the room, what is in this room, what is around you, look here, see,
+        what do you see here, what things are here, what do we have here, what do you have,
+        what is in here, what things do you see, look around the room, describe the room,
+        what do you see around you, describe what you see, what you see, what is here in the room
+    """)
+)
 _ABOUT_PLACE = frozenset(
     phrase_list("where are you, where am i, where are we, which room is this, what room is this")
 )
+_WHOLE = ((_ABOUT_ROOM, _all_around), (_ABOUT_KNOWLEDGE, known_verbs), (_ABOUT_PLACE, _my_place))

@@ -109,6 +109,14 @@ def keep(draft: Draft, literal: Literal) -> None:
     _edit(draft, (read_back.goal - {opposite}) | {literal})
 
 
+def restate(draft: Draft, goal: Goal) -> None:
+    """The goal is ``goal``. Every part of it must hold after the demonstration."""
+    for literal in sorted(goal):
+        if not literal.holds(draft.state.world):
+            raise IllegalMoveError(f"{literal} does not hold now, so it was not shown")
+    _edit(draft, goal)
+
+
 def reject(draft: Draft) -> None:
     """The goal read back is wrong: it costs once, and the teacher may correct it."""
     read_back = _read_back(draft)

@@ -18,6 +18,7 @@ from verbteach.language.anaphora import resolve
 from verbteach.language.ellipsis import Ellipsis, applied, read_ellipsis
 from verbteach.language.frames import VerbFrame
 from verbteach.language.grammar import EMPTY_LEXICON, Unread, explain_unread, parse
+from verbteach.language.looking import asks_whether_able, is_looking, what_it_can
 from verbteach.language.small_talk import (
     Talk,
     asks_in_a_command,
@@ -52,32 +53,74 @@ class CommandReading:
     shown: bool = False
 
 
-def read_command(draft: Draft, text: str, *, as_said: bool = False) -> CommandReading:
+def read_command(
+    draft: Draft, text: str, *, as_said: bool = False, taught: bool = False
+) -> CommandReading:
     """Read a command's clauses; a verb near a known one is offered, never taken for it.
 
-    ``as_said``: the teacher has said that the verb is no slip.
+    ``as_said``: the teacher has said that the verb is no slip. ``taught``: the
+    command is to be shown, so that it asks nothing.
     """
     if len(text) > _LONGEST_COMMAND:
         return CommandReading((), "That is too long for me. Please say it in a sentence or two.")
     text = _CALLED.sub("", without_greeting(text)) or text
     if shown := to_be_shown(text):
-        reading = read_command(draft, shown, as_said=as_said)
+        reading = read_command(draft, shown, as_said=as_said, taught=True)
         return replace(reading, shown=len(reading.frames) == 1)
     leaning = read_ellipsis(text)
     if leaning is not None and (read := _once_more(draft, leaning)) is not None:
         return read
-    setting = draft.mind.setting
-    talk, asks = small_talk(text), asks_in_a_command(text)
-    frames = () if talk or asks else parse(text, setting.lexicon, setting.vocabulary)
+    talk = small_talk(text)
+    frames = () if talk or asks_in_a_command(text) else _clauses(draft, text)
     if not frames:
-        unread = explain_unread(text, setting.lexicon, setting.vocabulary) or Unread.NO_VERB
-        why = Unread.QUESTION if asks else unread
-        problem = _TALKED[talk] if talk else _UNREAD[why]
-        asks = talk is Talk.HELP or (talk is None and why is Unread.QUESTION)
-        return CommandReading((), problem.format(example=_example(setting)), asks=asks)
+        return _unread(draft, text, talk)
+    asking = None if taught else _a_question(draft, text, frames)
+    return asking or _to_do(draft, text, frames, as_said=as_said)
+
+
+def _clauses(draft: Draft, text: str) -> tuple[VerbFrame, ...]:
+    """The clauses; behind "can you" an unknown word is a verb."""
+    setting = draft.mind.setting
+    frames = parse(text, setting.lexicon, setting.vocabulary)
+    rest = what_it_can(text)
+    if rest and (not frames or frames[0].verb in {"can", "could"}):
+        return parse(rest, setting.lexicon, setting.vocabulary)
+    return frames
+
+
+def _a_question(draft: Draft, text: str, frames: tuple[VerbFrame, ...]) -> CommandReading | None:
+    """What reads like a command and asks something: "can you fly?", "look at the fridge"."""
+    if asks_whether_able(text) and not _is_about_the_room(draft, frames):
+        return _asking(draft, _UNREAD[Unread.QUESTION])
+    if all(_only_looks(draft, frame) for frame in frames):
+        return _asking(draft, _LOOK)
+    return None
+
+
+def _unread(draft: Draft, text: str, talk: Talk | None) -> CommandReading:
+    """What is said to words that are no command."""
+    setting = draft.mind.setting
+    unread = explain_unread(text, setting.lexicon, setting.vocabulary) or Unread.NO_VERB
+    why = Unread.QUESTION if asks_in_a_command(text) else unread
+    problem = _TALKED[talk] if talk else _UNREAD[why]
+    asks = talk is Talk.HELP or (talk is None and why is Unread.QUESTION)
+    return replace(_asking(draft, problem), asks=asks)
+
+
+def _asking(draft: Draft, otherwise: str) -> CommandReading:
+    """A question of the teacher's; ``otherwise`` is said where there is no answer."""
+    example = _example(draft.mind.setting)
+    return CommandReading((), otherwise.format(example=example), asks=True)
+
+
+def _to_do(
+    draft: Draft, text: str, frames: tuple[VerbFrame, ...], *, as_said: bool
+) -> CommandReading:
+    """What is to be done, or what speaks against it."""
+    frames = _without_looking(draft, frames)
     typo = None if as_said else _verb_typo(draft, text, frames)
     if typo is None and _is_nonsense(draft, frames):
-        return CommandReading((), _NONSENSE.format(example=_example(setting)))
+        return CommandReading((), _NONSENSE.format(example=_example(draft.mind.setting)))
     return typo or _weighed(draft, text, frames)
 
 
@@ -112,6 +155,29 @@ def _example(setting: Setting) -> str:
     return speech.words.action(action) if action else "go"
 
 
+def _is_about_the_room(draft: Draft, frames: tuple[VerbFrame, ...]) -> bool:
+    """Whether something here is spoken of: "can you boil the water?" asks the robot to do it."""
+    looks = looks_now(draft)
+    return any(
+        argument.phrase.is_pronoun
+        or fitting_objects(draft, argument, looks)
+        or guesses(draft, argument, looks)
+        for frame in frames
+        for argument in frame.arguments
+    )
+
+
+def _only_looks(draft: Draft, frame: VerbFrame) -> bool:
+    """Whether it asks for no more than a look, unless that was taught as something to do."""
+    return is_looking(frame) and frame.verb not in draft.state.knowledge.verbs
+
+
+def _without_looking(draft: Draft, frames: tuple[VerbFrame, ...]) -> tuple[VerbFrame, ...]:
+    """Without the looking around before: "find the mug and wash it"."""
+    kept = [frame for frame in frames if not _only_looks(draft, frame)]
+    return resolve(list(frames))[-len(kept) :] if 0 < len(kept) < len(frames) else frames
+
+
 def _is_nonsense(draft: Draft, frames: tuple[VerbFrame, ...]) -> bool:
     """Whether no word of the command is known: an unknown verb alone may be taught."""
     looks = looks_now(draft)
@@ -139,7 +205,8 @@ def _verb_typo(draft: Draft, text: str, frames: tuple[VerbFrame, ...]) -> Comman
     known = {*draft.state.knowledge.verbs, *draft.mind.setting.lexicon.verbs}
     for frame in frames:
         word = frame.verb.split()[0]
-        near = () if frame.verb in known or word in known else suggest_verb(word, known)
+        english = frame.verb in known or word in known | household.VERBS
+        near = () if english else suggest_verb(word, known)
         if near:
             meant = text.lower().replace(word, near[0], 1)
             problem = f'I do not know the word "{word}". Did you mean "{near[0]}", as in "{meant}"?'
@@ -162,6 +229,10 @@ _UNREAD: Mapping[Unread, str] = {
     ),
     Unread.NO_VERB: "I find no verb in that. Tell me what to do with what, as in: {example}.",
 }
+_LOOK = (
+    "I look all the time: ask me where a thing is or how it is. Tell me what to do,"
+    " as in: {example}."
+)
 _NONSENSE = "I know none of these words. Say it in other words, as in: {example}."
 _NOTHING = "There is nothing that I am asking or doing. "
 _NEXT = "Tell me what to do, as in: {example}."

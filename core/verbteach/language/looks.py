@@ -92,12 +92,19 @@ class Looks:
 
     def related(self, object_id: str, preposition: str, other: str) -> bool:
         """Whether a fluent puts the object in that relation to ``other`` now."""
+        return any(fluent in self.state for fluent in self.relating(object_id, preposition, other))
+
+    def relating(self, object_id: str, preposition: str, other: str) -> Iterator[Fluent]:
+        """The fluents, true or not, that put the object in that relation to ``other``."""
         wanted = _SAME_PREPOSITION.get(preposition, (preposition,))
-        return any(
-            Fluent(predicate, (other, object_id) if swapped else (object_id, other)) in self.state
-            for predicate, words, swapped in self._relations
-            if words in wanted
-        )
+        for predicate, words, swapped in self._relations:
+            if words in wanted:
+                yield Fluent(predicate, (other, object_id) if swapped else (object_id, other))
+
+    @cached_property
+    def prepositions(self) -> frozenset[str]:
+        """The words, one or several, that may stand for a relation: "in", "next to", "holding"."""
+        return frozenset(_SAME_PREPOSITION) | {words for _, words, _ in self._relations}
 
     def place(self, object_id: str) -> tuple[str, str] | None:
         """Where the object is, as a preposition and the object it stands in relation to."""

@@ -133,7 +133,9 @@ _ASKING = re.compile(
     r"\s*(?:(?:please|now)\s+)*(?:(?:can|could|would|will)\s+you\s+(?:please\s+)?)?"
     r"(?:(?:tell|show)\s+me\s+(?:where|what|which|whether|if|how|who)"
     r"|(?<=you )see\s+(?:the|a|any|my)|say\s+(?:where|what|which|whether|if))\b"
-    r"|\s*(?:whats|wheres|hows|whos)\b",
+    r"|\s*(?:(?:please|now|can you|could you)\s+)*(?:check|see|look|find out|watch)\s+"
+    r"(?:if|whether|what|where|which|how many)\b"
+    r"|\s*(?:whats|wheres|hows|whos|where)\b",
     re.IGNORECASE,
 )
 _AROUND = frozenset({COMMA, STOP}) | word_set(

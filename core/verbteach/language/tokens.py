@@ -45,6 +45,33 @@ _CONTRACTIONS = {
     "pick-up": ("pick", "up"),
     "o'clock": ("oclock",),
 }
+_SLIPS = {
+    slip: word
+    for word, slips in {
+        "the": "teh hte eth thr",
+        "and": "adn nad anf",
+        "that": "taht tath",
+        "this": "tihs thsi",
+        "with": "wiht iwth wth",
+        "should": "shuold shoud shold shoudl sould shuld",
+        "must": "msut mut",
+        "could": "cuold coud culd",
+        "would": "wuold woud wuld",
+        "please": "plese plaese pleas pleae",
+        "where": "wehre whre were's",
+        "what": "waht wht",
+        "you": "yuo yoou",
+        "your": "yuor",
+        "from": "fomr frmo",
+        "into": "itno",
+        "can": "cna",
+        "put": "putt",
+        "not": "nto",
+        "only": "olny onyl",
+    }.items()
+    for slip in slips.split()
+}
+"""Little words that fingers turn round: what they become is no word of its own."""
 _SUFFIXES = {
     "n't": ("not",),
     "'s": ("'s",),
@@ -113,6 +140,8 @@ def _normalised(text: str) -> str:
 def _split(token: str) -> tuple[str, ...]:
     if token in _MARKS:
         return (_MARKS[token],)
+    if token in _SLIPS:
+        return (_SLIPS[token],)
     if token in _CONTRACTIONS:
         return _CONTRACTIONS[token]
     for suffix, words in _SUFFIXES.items():
