@@ -173,6 +173,16 @@ def test_tables_fit_their_place(width: int) -> None:
     assert "0.500" in plain(rows[1])
 
 
+def test_where_it_is_narrow_the_intervals_go_and_what_was_asked_stays() -> None:
+    worse = {**ROW, "policy": "silent", "sji": {**FIGURE, "mean": 0.1}}
+    for width, interval in ((56, False), (76, True)):
+        head, best, other, *_ = map(plain, table_rows([ROW, worse], width))
+        assert "asked, learning acting" in head
+        assert ("-" in best) is interval
+        assert "best" in best
+        assert "best" not in other
+
+
 @pytest.mark.slow
 def test_a_comparison_is_worked_out_saved_and_told(tmp_path: Path) -> None:
     told: list[dict[str, object]] = []

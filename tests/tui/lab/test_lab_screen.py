@@ -11,10 +11,12 @@ import pytest
 from tests.tui.lab.test_lab import ROW, SLOW, worker
 from tests.tui.room import NARROW, NORMAL, WIDE, Room, room
 from tests.tui.test_app_layout import check_nothing_overflows
-from verbteach_tui.lab.jobs import COMPARE
+from verbteach_tui.lab.jobs import COMPARE, Job
+from verbteach_tui.lab.results import lab_folder, save_job, save_rows
 from verbteach_tui.options import OpenHome
 from verbteach_tui.screens.home import HomeScreen
 from verbteach_tui.screens.lab import LabScreen
+from verbteach_tui.screens.lab_runs import EarlierRuns
 from verbteach_tui.screens.lab_settings import LabSettings
 from verbteach_tui.views.rows import plain
 from verbteach_tui.widgets.rows_view import RowsView
@@ -95,6 +97,25 @@ async def test_policies_are_compared_side_by_side(
         assert here.app.screen.query_one(LabSettings).job.kind == COMPARE
         assert "silent" in text(here, "outcome")
         assert "manual" in text(here, "outcome")
+
+
+async def test_earlier_runs_are_looked_at_in_a_small_window_too(folder: Path) -> None:
+    earlier = lab_folder(folder) / "20300101-000000-abcdefgh"
+    save_job(earlier, Job(kind=COMPARE, seed=3))
+    save_rows(earlier, [{**ROW, "policy": name} for name in ("silent", "manual", "split", "rl")])
+    async with room(folder, OpenHome(), size=NARROW) as here:
+        await here.pilot.press("l")
+        runs = here.app.screen.query_one(EarlierRuns)
+        await here.until(lambda: runs.display)
+        assert "▸" not in text(here, "earlier")
+        await here.pilot.press("tab", "tab")
+        assert runs.has_focus
+        assert "▸ 20300101" in text(here, "earlier")
+        shown = here.app.screen.query_one("#outcome")
+        assert shown.scrollable_content_region.height > len(("head", "a", "b", "c", "d"))
+        await here.pilot.press("enter")
+        assert here.app.screen.query_one(LabSettings).job.seed == 3
+        assert "▸" not in text(here, "earlier")
 
 
 async def test_work_goes_on_while_the_person_is_elsewhere_and_ends_with_the_app(

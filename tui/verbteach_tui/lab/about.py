@@ -15,8 +15,8 @@ LAB = (
 
 FIGURES = (
     "SJI: how much of the wanted change came about; IED: how near the plan is to the "
-    "demonstration; both 0 to 1, with the 95 % interval. Right: the share of commands carried "
-    "out exactly. Asked: questions for a lesson and for a command."
+    "demonstration; both 0 to 1, where it fits with the 95 % interval. Right: the share of "
+    "commands carried out exactly. Asked: questions for a lesson and for a command."
 )
 """The columns of the table of policies."""
 

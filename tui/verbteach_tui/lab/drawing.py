@@ -122,28 +122,39 @@ _COLUMNS = (
     ("right", 5),
     ("asked, learning", 15),
     ("acting", 6),
+    ("", 4),
 )
+_NARROW = tuple((name, 5 if name in ("SJI", "IED") else room) for name, room in _COLUMNS)
+"""Without the intervals, so that what was asked stays in view beside the scores."""
 
 
 def table_rows(rows: Sequence[Mapping[str, Any]], width: int) -> list[Row]:
-    """Policies side by side; columns that there is no room for are left out, the last first."""
+    """Policies side by side, the best SJI named as such.
+
+    Where there is no room the intervals are left out, then columns, the last first.
+    """
     if not rows:
         return []
-    shown = list(_COLUMNS)
-    while len(shown) > 2 and sum(room + 1 for _, room in shown) - 1 > width:
+    fits = _room(_COLUMNS) <= width
+    shown = list(_COLUMNS if fits else _NARROW)
+    while len(shown) > 2 and _room(shown) > width:
         shown.pop()
     best = max(row["sji"]["mean"] for row in rows)
     head = [Span(f"{name:{room}} ", "muted") for name, room in shown]
     lines: list[Row] = [clipped(head, width)]
     for row in rows:
-        cells = _cells(row)
-        mark = "good" if row["sji"]["mean"] == best else "text"
+        cells = _cells(row, fits, row["sji"]["mean"] == best)
+        mark = "good" if cells[""] else "text"
         spans = [
-            Span(f"{cells[name]:{room}} ", mark if name in ("policy", "SJI") else "text")
+            Span(f"{cells[name]:{room}} ", mark if name in ("policy", "SJI", "") else "text")
             for name, room in shown
         ]
         lines.append(clipped(padded(spans, width), width))
     return [*lines, (), *wrapped([Span(FIGURES, "muted")], width)]
+
+
+def _room(columns: Sequence[tuple[str, int]]) -> int:
+    return sum(room + 1 for _, room in columns) - 1
 
 
 def bar_rows(rows: Sequence[Mapping[str, Any]], width: int) -> list[Row]:
@@ -161,17 +172,18 @@ def _bar_of(row: Mapping[str, Any], names: int, width: int) -> Row:
     return clipped([Span(f"{row['policy']:{names}} "), *bar, Span(said, "muted")], width)
 
 
-def _cells(row: Mapping[str, Any]) -> dict[str, str]:
+def _cells(row: Mapping[str, Any], intervals: bool, best: bool) -> dict[str, str]:
     return {
         "policy": row["policy"],
-        "SJI": _figure(row["sji"]),
-        "IED": _figure(row["ied"]),
+        "SJI": _figure(row["sji"], intervals),
+        "IED": _figure(row["ied"], intervals),
         "right": f"{row['right']:.0%}",
         "asked, learning": f"{row['questions_learning']['mean']:.2f}",
         "acting": f"{row['questions_execution']['mean']:.2f}",
+        "": "best" if best else "",
     }
 
 
-def _figure(value: Mapping[str, Any]) -> str:
+def _figure(value: Mapping[str, Any], interval: bool) -> str:
     low, high = value["ci95"]
-    return f"{value['mean']:.3f} {low:.2f}-{high:.2f}"
+    return f"{value['mean']:.3f}" + (f" {low:.2f}-{high:.2f}" if interval else "")

@@ -61,12 +61,18 @@ class LabScreen(Screen[None]):
     LabScreen #outcome { height: 3fr; }
     LabScreen #earlier { height: 1fr; min-height: 5; }
     LabScreen.-narrow #lab { layout: vertical; }
-    LabScreen.-narrow #side { width: 100%; height: auto; max-height: 75%; }
+    /* Where there is little room, the panel that has the keys has most of it. */
+    LabScreen.-narrow #side { width: 100%; height: 3; }
+    LabScreen.-narrow #side:focus-within { height: auto; max-height: 60%; }
     LabScreen.-narrow #settings { max-height: 100%; }
-    LabScreen.-narrow.-ran #side { max-height: 8; }
+    LabScreen.-narrow.-ran #side:focus-within { max-height: 8; }
     LabScreen.-narrow #course { width: 100%; height: 1fr; }
-    LabScreen.-narrow #about, LabScreen.-narrow #earlier,
-    LabScreen.-narrow.-running #side, LabScreen.-narrow.-idle #progress { display: none; }
+    LabScreen.-narrow #outcome { height: 1fr; }
+    LabScreen.-narrow #earlier { height: 3; min-height: 3; }
+    LabScreen.-narrow #earlier:focus { height: 5; }
+    LabScreen.-narrow #about, LabScreen.-narrow.-idle #progress,
+    LabScreen.-narrow.-first #earlier, LabScreen.-narrow.-running #earlier,
+    LabScreen.-narrow.-running #side { display: none; }
     """
 
     def __init__(self, lab: Lab) -> None:
@@ -153,7 +159,8 @@ class LabScreen(Screen[None]):
         if was == state.running:
             return
         if self.has_class("-narrow"):
-            wanted = "#outcome" if state.running else "#settings"
+            # When it is done as well: what came of it is what everybody looks for.
+            wanted = "#outcome" if state.running or state.phase == DONE else "#settings"
             self.call_after_refresh(self.query_one(wanted).focus)
         self.call_after_refresh(self._draw_outcome)
 
@@ -233,7 +240,11 @@ class LabScreen(Screen[None]):
 
     def _read_earlier(self) -> None:
         runs = earlier_runs(self._lab.folder)[:_SHOWN]
-        self.app.call_from_thread(self.query_one(EarlierRuns).show_runs, runs)
+        self.app.call_from_thread(self._show_earlier, runs)
+
+    def _show_earlier(self, runs: Sequence[Earlier]) -> None:
+        self.set_class(not runs, "-first")
+        self.query_one(EarlierRuns).show_runs(runs)
 
 
 def _title(job: Job) -> str:

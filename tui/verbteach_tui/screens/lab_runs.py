@@ -56,13 +56,13 @@ class EarlierRuns(RowsView):
         self._runs, self._at = tuple(runs), 0
         self._redraw_all()
 
-    def on_focus(self) -> None:
-        """Whoever comes here wants to look."""
-        self._look()
-
-    def on_blur(self) -> None:
-        """Hide the cursor."""
-        self._redraw_all()
+    def watch_has_focus(self, has_focus: bool) -> None:
+        """Whoever comes here wants to look; the cursor goes with the keys."""
+        super().watch_has_focus(has_focus)
+        if has_focus:
+            self._look()
+        else:
+            self._redraw_all()
 
     def action_move(self, by: int) -> None:
         """Another run."""

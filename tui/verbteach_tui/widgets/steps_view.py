@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import ClassVar
 
-from textual import events
 from textual.binding import Binding, BindingType
 from textual.timer import Timer
 
@@ -103,12 +102,9 @@ class StepsView(RowsView):
         self._halt()
         self._look(int(message.target))
 
-    def on_focus(self, event: events.Focus) -> None:
-        """Show the cursor."""
-        self._draw_steps()
-
-    def on_blur(self, event: events.Blur) -> None:
-        """Hide the cursor."""
+    def watch_has_focus(self, has_focus: bool) -> None:
+        """Show the cursor, or hide it."""
+        super().watch_has_focus(has_focus)
         self._draw_steps()
 
     def _remove_step(self) -> None:
