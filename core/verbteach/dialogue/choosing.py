@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -31,6 +32,8 @@ def find_objects(draft: Draft, phrase: str, text: str) -> Found:
     current = [thing for thing, _ in draft.episode.grounding[phrase]]
     if choice.kind is Chosen.POINTED and len(current) == 1:
         return Found(((current[0], 1.0),))
+    if _WISHING.search(text):
+        return Found((), _PROBLEMS[Chosen.NONE])
     if choice.kind is Chosen.NONE and (told := enquiries.answer(draft, text)):
         return Found((), told)
     if choice.kind is not Chosen.NAMED:
@@ -106,6 +109,12 @@ def _respelled(draft: Draft, told: NounPhrase) -> str:
     return ""
 
 
+_WISHING = re.compile(
+    r"\b(?:should|must|shall|ought to|has to|have to)\b"
+    r"(?!\s+(?:be|have been)\s+(?:the|a|an|my|your|that|this|one)\b)",
+    re.IGNORECASE,
+)
+"""How something should be names no thing; "it should be the blue one" does."""
 _WHICH = "I asked which one it is."
 _PROBLEMS: Mapping[Chosen, str] = {
     Chosen.ALL: "I can do it with only one thing at a time. Which one now?",

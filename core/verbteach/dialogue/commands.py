@@ -33,7 +33,7 @@ def hear(draft: Draft, text: str) -> None:
         _consider(draft, instead, meant)
     elif not label:
         _consider(draft, text, read_command(draft, text))
-    elif label == "no" and heard:
+    elif label == "no" and heard and not instead:
         _consider(draft, heard, read_command(draft, heard, as_said=True))
     elif label != "yes":
         draft.wait(AskRephrase("Then please say it in other words."), Phase.COMMAND)

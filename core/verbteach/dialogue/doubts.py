@@ -63,7 +63,7 @@ def _problem(draft: Draft, frames: Sequence[VerbFrame], looks: Looks) -> str:
         return _ROOM
     bare = [frame.verb for frame in frames if not frame.arguments]
     if any(verb.split(" ")[0] in _STATES for verb in bare):
-        return _STATE
+        return WISH
     if any(verb in _WAITING - {*draft.state.knowledge.verbs} for verb in bare):
         return "I am waiting: tell me when there is something to do."
     lacking = next((frame.verb for frame in frames if _lacks_object(draft, frame)), "")
@@ -153,7 +153,7 @@ _ROOM = (
     "I know the rooms by their numbers: say it as in go to kitchen-2."
     " If you mean a thing here, please give its name."
 )
-_STATE = "Please say it as something to do with a thing: open it, close it, turn it off."
+WISH = "Please say it as something to do with a thing: open it, close it, turn it off."
 _WHERE = "I cannot tell what place that is. Name the place itself, as in: on the table."
 _CONDITION = (
     "I cannot wait for anything, or do something only if something else is so."

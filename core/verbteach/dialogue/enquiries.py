@@ -19,7 +19,7 @@ from verbteach.language.grammar import parse
 from verbteach.language.looks import Looks
 from verbteach.language.morphology import listing
 from verbteach.language.refer import refer
-from verbteach.language.small_talk import small_talk
+from verbteach.language.small_talk import asks_in_a_command, small_talk
 from verbteach.language.tokens import COMMA, STOP, spelled_out, tokenise
 from verbteach.language.wordlist import phrase_list, word_set
 from verbteach.language.words import PREPOSITIONS, QUESTION_WORDS
@@ -42,6 +42,13 @@ def answer(draft: Draft, text: str) -> str:
     if talk := next((told for those, told in _WHOLE if words in those), None):
         return talk(draft)
     return _told(draft, words) or _asked_to(draft, words)
+
+
+def asked(draft: Draft, text: str) -> str:
+    """The answer where ``text`` is a question, whatever the robot waits for; else empty."""
+    tokens = tokenise(spelled_out(text))
+    asks = text.rstrip().endswith("?") or (bool(tokens) and tokens[0] in QUESTION_WORDS | _COPULAS)
+    return answer(draft, text) if asks or asks_in_a_command(text) else ""
 
 
 def _told(draft: Draft, words: Words) -> str:

@@ -19,6 +19,7 @@ from verbteach.dialogue.worth import without_departures
 from verbteach.language.goal_talk import GoalTalk, How, read_goal_talk
 from verbteach.language.morphology import listing
 from verbteach.language.statements import Statement, Words, read_statements, without_leads
+from verbteach.language.words import QUESTION_WORDS
 from verbteach.world.fluents import Goal, Literal
 
 
@@ -215,6 +216,8 @@ class StatementReader:
         if statement.loose:
             return None
         subject = " ".join(statement.subject)
+        if statement.subject[0] in _NO_SUBJECTS:
+            return None
         if not self.facts.things(statement.subject):
             return Said(problem=f'I see nothing here that I would call "{subject}".')
         if not (said := " ".join(statement.said)):
@@ -242,6 +245,7 @@ def spoken_of(draft: Draft, goal: Goal) -> tuple[str, ...]:
 
 _MOST = 4
 _UNREAD = 'I cannot tell what "{said}" means for {subject} here.'
+_NO_SUBJECTS = QUESTION_WORDS | {"i", "we", "he", "she", "they", "there"}
 _NO_THING = 'I see nothing here that I would call "{}".'
 _THE = ("the ", "a ", "an ", "my ", "that ", "this ")
 _NO_PART = "That is no part of it anyway."

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from verbteach.dialogue import acts, carrying_out, commands, demonstration, execution
+from verbteach.dialogue import acts, carrying_out, commands, demonstration, enquiries, execution
 from verbteach.dialogue.acts import DemonstrationReason, Outcome, TeacherAct
 from verbteach.dialogue.closing import close
 from verbteach.dialogue.corrections import another_noun, another_reference, other_things
@@ -53,6 +53,8 @@ def _judgement_in_words(draft: Draft, text: str) -> None:
     elif reply.label == "yes":
         commands.put_behind(draft, reply.rest)
         hear(draft, acts.Good())
+    elif told := enquiries.asked(draft, text):
+        draft.ask_again(told)
     elif _put_right(draft, text):
         return
     elif reply.label == "no":

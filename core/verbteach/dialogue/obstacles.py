@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from verbteach.dialogue.setting import Setting
 from verbteach.dialogue.speech import Speech
-from verbteach.language.morphology import listing
+from verbteach.language.morphology import article, listing
 from verbteach.world.fluents import State
 from verbteach.world.plan import Action
 from verbteach.world.simulator import (
@@ -37,7 +37,8 @@ def _reason(reason: Obstacle, action: Action, speech: Speech) -> str:
         case UnknownObject(name=name):
             return f"there is no object {name} here"
         case WrongType(name=name, expected=expected, actual=actual):
-            return f"{speech.thing(name)} is a {actual}, and this takes a {expected}"
+            is_one, takes = (f"{article(kind)} {kind}" for kind in (actual, expected))
+            return f"{speech.thing(name)} is {is_one}, and this takes {takes}"
         case Unequal(left=left, right=right, positive=positive):
             both = f"{speech.thing(left)} and {speech.thing(right)}"
             return f"{both} must be the same" if positive else f"{both} cannot be the same"

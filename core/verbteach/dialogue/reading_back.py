@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from verbteach.dialogue import acts, commands, demonstration, learning
+from verbteach.dialogue import acts, commands, demonstration, enquiries, learning
 from verbteach.dialogue.acts import DemonstrationReason, TeacherAct
 from verbteach.dialogue.demonstration import ordered
 from verbteach.dialogue.draft import Draft
@@ -41,6 +41,8 @@ def _read_back_in_words(draft: Draft, text: str) -> None:
     draft.reading = reply.label
     if offers_to_show(acts.Say(text)):
         hear(draft, acts.Show())
+    elif told := enquiries.asked(draft, text):
+        draft.ask_again(told)
     elif _restated(draft, text, reply):
         return
     elif reply.reserved:

@@ -2,14 +2,26 @@
 
 from __future__ import annotations
 
+import re
+
 from verbteach.dialogue import acts, commands, demonstration, enquiries, learning
 from verbteach.dialogue.acts import AskAgain
 from verbteach.dialogue.draft import Draft
+from verbteach.dialogue.facts import Facts
 from verbteach.dialogue.moves import Phase
+from verbteach.dialogue.referring import looks_now
 from verbteach.dialogue.speech import Speech
 from verbteach.language.answers import Label, read_answer
+from verbteach.language.goal_talk import read_goal_talk
 from verbteach.language.grammar import Unread, explain_unread
-from verbteach.language.small_talk import Talk, small_talk
+from verbteach.language.small_talk import (
+    Talk,
+    asks_in_a_command,
+    meant_word,
+    small_talk,
+    without_greeting,
+)
+from verbteach.language.statements import read_statements
 from verbteach.language.steps import HOW, StepReader, StepReading
 from verbteach.language.tokens import spelled_out, tokenise
 from verbteach.language.words import QUESTION_WORDS
@@ -19,6 +31,17 @@ _LEAVE = "To leave, say quit; you can go on later."
 _BACK = "To take the last step back, say undo."
 _OTHERWISE = f"{_BACK} Then say the right one."
 _NOT_TO_DO = "Show me only what is to be done, not what is not."
+_AT_THE_END = (
+    "What must hold at the end you tell me when all is shown: say done after the last step."
+)
+_ENDING = re.compile(
+    r"(?<=\w)[\s,.;]+(?:(?:and|then|now)\s+)*"
+    r"(?:(?:i am|i'm|im|it is|it's|its|we are)\s+)?(?:all\s+)?"
+    r"(?:done|finished|that's it|thats it|that is it|that's all|thats all|that is all)[\s.!]*$",
+    re.IGNORECASE,
+)
+"""Behind the last step in the same line."""
+_ASKING = QUESTION_WORDS | {"is", "are", "am", "do", "does", "did", "was", "were"}
 _MISTAKEN = ("no", "nope", "wrong", "sorry", "oops", "not", "rather")
 _FORBIDDING = (["do", "not"], ["never"], ["must", "not"], ["should", "not"])
 
@@ -28,7 +51,7 @@ def hear(draft: Draft, text: str) -> None:
 
     A step that could be several is kept in mind until it is said which.
     """
-    before = draft.state.heard
+    before, text = draft.state.heard, without_greeting(text)
     draft.remember(heard="")
     talk = small_talk(text)
     waits = talk is Talk.WAIT and bool(_reader(draft).read(text).action)
@@ -65,17 +88,39 @@ def _no_step(draft: Draft, text: str) -> str:
     corrects = tokens[:2] == ["i", "meant"] or tokens[-1:] == ["instead"]
     if len(tokens) > 1 and (corrects or tokens[0] in _MISTAKEN):
         return _OTHERWISE
-    if read_answer(text).label is Label.UNSURE:
+    answer = read_answer(text)
+    if answer.label is Label.UNSURE or (answer.label is Label.YES and not answer.rest):
         return HOW
-    asks = "?" in text or (tokens[:1] and tokens[0] in QUESTION_WORDS)
-    if asks and explain_unread(text, setting.lexicon, setting.vocabulary) is Unread.QUESTION:
+    if answer.label is Label.NO and not answer.rest:
+        return _BACK
+    asks = "?" in text or (tokens[:1] and tokens[0] in _ASKING)
+    unread = explain_unread(text, setting.lexicon, setting.vocabulary) if asks else None
+    asks = asks and tokens[0] in QUESTION_WORDS
+    if asks or unread is Unread.QUESTION or asks_in_a_command(text):
         return enquiries.answer(draft, text) or HOW
-    return ""
+    return _about_the_end(draft, text) or _slip(text)
+
+
+def _about_the_end(draft: Draft, text: str) -> str:
+    """What is said to a word on how things should be: that comes after the last step."""
+    talk = read_goal_talk(text)
+    if talk is None or _reader(draft).says_a_step(text):
+        return ""
+    statements = read_statements(talk.tokens)
+    facts = Facts(draft, looks_now(draft), draft.episode.best_objects)
+    said = any(one.subject and one.said and facts.things(one.subject) for one in statements)
+    return _AT_THE_END if said else ""
+
+
+def _slip(text: str) -> str:
+    near = meant_word(text)
+    return f'If you mean "{near}", please say it like that.' if near else ""
 
 
 def _watch(draft: Draft, text: str, before: str) -> None:
     """Watch the steps in order; the first that cannot be read or done ends the line."""
-    parts = _reader(draft).parts(text)
+    end = _ENDING.search(text)
+    parts = _reader(draft).parts(text[: end.start()] if end else text)
     read: list[Action] = []
     for number, said in enumerate(parts):
         reading = _read(draft, said, before if number == 0 else "")
@@ -87,6 +132,9 @@ def _watch(draft: Draft, text: str, before: str) -> None:
         demonstration.observe(draft, reading.action)
         if isinstance(draft.acts[-1], acts.RefuseStep):
             break
+    else:
+        if end:
+            learning.sum_up(draft)
     draft.reading = "; ".join(map(str, read))
 
 

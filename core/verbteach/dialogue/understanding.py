@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from verbteach.dialogue.doubts import doubt, without_helped
+from verbteach.dialogue.doubts import WISH, doubt, without_helped
 from verbteach.dialogue.draft import Draft
 from verbteach.dialogue.referring import fitting_objects, guesses, looks_now, read_noun_phrase
 from verbteach.dialogue.setting import Setting
@@ -26,6 +26,8 @@ from verbteach.language.small_talk import (
     to_be_shown,
     without_greeting,
 )
+from verbteach.language.statements import read_statements
+from verbteach.language.tokens import spelled_out, tokenise
 from verbteach.language.typos import suggest_verb
 from verbteach.language.wording import Wording
 
@@ -102,9 +104,18 @@ def _unread(draft: Draft, text: str, talk: Talk | None) -> CommandReading:
     setting = draft.mind.setting
     unread = explain_unread(text, setting.lexicon, setting.vocabulary) or Unread.NO_VERB
     why = Unread.QUESTION if asks_in_a_command(text) else unread
+    if talk is None and why is Unread.NO_VERB and _wishes(text):
+        return CommandReading((), WISH)
     problem = _TALKED[talk] if talk else _UNREAD[why]
     asks = talk is Talk.HELP or (talk is None and why is Unread.QUESTION)
     return replace(_asking(draft, problem), asks=asks)
+
+
+def _wishes(text: str) -> bool:
+    """Whether it says how something should be, and not what to do: "the mug must be clean"."""
+    statements = read_statements(tokenise(spelled_out(text)))
+    said = {word for word in tokenise(text) if word in {"should", "must", "has", "needs", "shall"}}
+    return bool(said) and any(one.subject and one.said for one in statements)
 
 
 def _asking(draft: Draft, otherwise: str) -> CommandReading:
@@ -205,7 +216,7 @@ def _verb_typo(draft: Draft, text: str, frames: tuple[VerbFrame, ...]) -> Comman
     known = {*draft.state.knowledge.verbs, *draft.mind.setting.lexicon.verbs}
     for frame in frames:
         word = frame.verb.split()[0]
-        english = frame.verb in known or word in known | household.VERBS
+        english = frame.verb in known or word in known or is_looking(frame)
         near = () if english else suggest_verb(word, known)
         if near:
             meant = text.lower().replace(word, near[0], 1)

@@ -41,11 +41,13 @@ class AnswerReading:
 
 
 _YES = """
-    yes, yeah, yep, yup, ya, yah, aye, sure, surely, right, correct, exactly, precisely, indeed,
+    yes, ye, yeah, yep, yup, ya, yah, aye, sure, surely, right, correct, exactly, precisely, indeed,
     certainly, definitely, absolutely, of course, for sure, ok, okay, fine, true, affirmative,
     agreed, naturally, you bet, i think so, i believe so, i guess so, i suppose so, please do,
     go ahead, uh-huh, mhm, it is, it does, it should, they are, they do, they should, that is
-    right, that is correct, that 's right, that 's correct, that 's it, that is it, that 's the
+    right, that is correct, that 's right, that 's correct, that is exactly right,
+    that 's exactly right, that is quite right, that is absolutely right, that 's it, that is it,
+    that 's the
     one, that is the one, you are right, very good, well done, perfect, good, great, y,
     sure thing, you should, you must, it should be, they should be, it must be, it has to, it has to
     be, it is so, it has, it was, it will, they have, so it is, i am sure, sounds good, yea, you got
@@ -68,7 +70,14 @@ _PRAISE = """
     's ok, it is okay, it 's okay, that is ok, that 's ok, that is okay, that 's okay, not bad, not
     bad at all, just right, as i wanted, that is what i wanted, that 's what i wanted, just what i
     wanted, all good, all right, alright, as it should be,
-    that is the goal, that 's the goal
+    that is the goal, that 's the goal, that was lovely, that was wonderful, that was excellent,
+    that was nice, that was very good, that was really good, that was brilliant, that was fantastic,
+    that was awesome, that was amazing, that was fine, that was well done, that was ok,
+    that is lovely, that is wonderful, that is excellent, that is nice, that is very good,
+    that is brilliant, that is fantastic, that is awesome, that is amazing, amazing, fantastic,
+    you are great, you are good, thank you so much, that is very kind, splendid, yay, hooray,
+    it is good, it is right, it is correct, is right, is correct, is good, all correct,
+    all right now
 """
 _BLAME = """
     that was wrong, that was not right, that was not it, that was bad, that was not correct, not
@@ -78,7 +87,11 @@ _BLAME = """
     wanted, that was not what i meant, i did not mean that, i did not mean it, i did not want that,
     i did not say that, awful, terrible, horrible, it did not work, that did not work, i do not like
     it, i do not like that, you did it wrong, you did wrong, wrong one, the wrong one, not good
-    enough, nothing happened, not like that, you made a mistake, bad robot
+    enough, not quite what i wanted, not what i had in mind, not quite what i had in mind,
+    that was not what i had in mind, that is not what i had in mind,
+    that was not quite what i had in mind, that was not quite what i wanted,
+    that was not quite right, is wrong, is not right, is not correct, nothing happened,
+    not like that, you made a mistake, bad robot
 """
 _NO = """
     no, nope, nah, nay, never, wrong, incorrect, false, negative, not really, not at all, not
@@ -127,7 +140,7 @@ _NEITHER = phrase_list(
 _BETWEEN = frozenset({COMMA, STOP}) | word_set(
     "please thanks well oh hm hmm mm um uh er erm ah eh sorry robot"
 )
-_CANDID = word_set("honestly actually frankly oops")
+_CANDID = word_set("honestly actually frankly oops perfectly completely entirely")
 """May stand anywhere and change nothing."""
 _SECOND_THOUGHTS = phrase_list(
     "i mean, i meant, wait, no wait, hold on, hang on, scratch that, or rather, on second thought, "
@@ -246,9 +259,17 @@ def _after(tokens: Sequence[str], skipped: frozenset[str]) -> Sequence[str]:
     start = 0
     while start < len(tokens) and tokens[start] in skipped:
         start += 1
-    if tuple(tokens[start : start + 2]) == ("thank", "you"):
-        return _after(tokens[start + 2 :], skipped)
+    for words in _POLITE:
+        rest = tokens[start + len(words) :]
+        if tuple(tokens[start : start + len(words)]) == words and rest[:1] not in (["not"], ["so"]):
+            return _after(rest, skipped)
     return tokens[start:]
+
+
+_POLITE = phrase_list(
+    "thank you, thank you very much, thank you so much, thanks a lot, i am afraid, i 'm afraid, "
+    "i am sorry, i 'm sorry, i am afraid that, i am sorry but"
+)
 
 
 def _text(tokens: Sequence[str]) -> str:

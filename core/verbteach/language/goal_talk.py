@@ -42,7 +42,9 @@ _NO = phrase_list("""
 """)
 _YES = phrase_list("""
     yes, yeah, yep, yup, right, correct, ok, okay, exactly, good, fine, true, sure, that is right,
-    that 's right, that is correct, that 's correct, y
+    that 's right, that is correct, that 's correct, y, that is exactly right,
+    that 's exactly right,
+    perfect, well done, great, that is fine, that 's fine
 """)
 _MARKS = frozenset({COMMA, STOP})
 _BEFORE = _MARKS | word_set("but please oh well um uh so sorry robot hm")
@@ -84,6 +86,8 @@ _WITHOUT = phrase_list("""
 """)
 _WITH = phrase_list("""
     also, and, and also, plus, add, add that, keep, include, with, too, keep also, also keep,
+    i should only add that, i should add that, i would add that, i would only add that,
+    add only that,
     you forgot, you forgot that, you left out, do not forget, and you forgot, additionally,
     in addition, and it matters that, do not forget that, you missed, you missed that
 """)
@@ -140,8 +144,9 @@ def _without_tail(tokens: list[str], tails: Sequence[tuple[str, ...]]) -> list[s
 
 def _behind(tokens: list[str]) -> list[str]:
     """What comes behind the small words."""
-    at = next((at for at, token in enumerate(tokens) if token not in _BEFORE), len(tokens))
-    return tokens[at:]
+    while tokens and tokens[0] in _BEFORE and tokens[:2] != ["well", "done"]:
+        tokens = tokens[1:]
+    return tokens
 
 
 def _after(tokens: list[str], phrases: Sequence[tuple[str, ...]]) -> tuple[bool, list[str]]:

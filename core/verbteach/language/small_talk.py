@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from enum import Enum
 
 from verbteach.language.tokens import COMMA, STOP, spelled_out, tokenise
+from verbteach.language.typos import suggest
 from verbteach.language.wordlist import phrase_list, word_set
 
 
@@ -43,7 +44,8 @@ _SAID = {
         you know that, you know that already, you already know that, see, you see, got it,
         did you get that, understood, did you understand, what can you do for me, what do you want,
         what are the steps, which steps are there, what are the options, i can not, please, can you
-        help me,
+        help me, do something, i do not know how, i do not know how to do it,
+        i do not know what to do, i do not know what to say, how do i start, tell me what to do,
         could you help me, help me please, please help me
     """,
     Talk.DONE: """
@@ -54,13 +56,17 @@ _SAID = {
         that is how it is done, that 's how it 's done, that 's how it is done, that is how it
         works,
         like that, like this, your turn, now you, now you do it, it is your turn, stop here,
-        that should do it, that will do, i am finished now, that is all for today,
+        that should do it, that will do, that would be everything,
+        that would be all, that would be it, it is finished, it is finish, it is ready, i finish,
+        i finished, that was everything, we are done, we are finished, you are done, this is it,
+        i am finished now, that is all for today,
         that 's all for today, that 's all folks, that is all for now, that 's all for now
     """,
     Talk.GIVE_UP: """
         skip, skip it, skip this, skip that, pass, never mind, nevermind, forget it, forget that,
         forget about it, cancel, cancel that, cancel it, abort, stop, stop it, stop that, give up,
-        i give up, leave it, enough, not now, next, next one, move on, nothing, later, no idea,
+        i give up, leave it, enough, do nothing, not now, next, next one, move on, nothing, later,
+        no idea,
         let it be, never mind that, stop this, stop now, stop asking, leave that,
         no thanks, no thank you
     """,
@@ -87,7 +93,9 @@ _SAID = {
     """,
     Talk.GREETING: """
         hello, hi, hey, hello there, hi there, hey there, good morning, good day, good evening,
-        good afternoon, greetings, how are you, how are you doing
+        good afternoon, greetings, how are you, how are you doing, how are you today,
+        how do you do, nice to meet you,
+        pleased to meet you, how is it going, how are things
     """,
     Talk.REPLY: """
         yes, yeah, yep, ok, okay, sure, good, great, nice, cool, well done, perfect, thanks,
@@ -98,7 +106,8 @@ _SAID = {
         how do i leave, how do i quit, how do i exit, how do i stop, how do i get out,
         quit, exit, bye, goodbye, good bye, leave, i want to leave, i want to stop, log out,
         close the app, let me out, i am leaving, see you, see you later, goodbye for now,
-        i have to go, i need to go, i must go
+        i have to go, i need to go, i must go, bye bye, that will be all for today,
+        that is all for today goodbye, good night, see you tomorrow
     """,
     Talk.REPEAT: """
         repeat, repeat that, repeat it, repeat the question, repeat yourself, say that again,
@@ -111,7 +120,10 @@ _SAID = {
         let me show you again, i will show you again, show me again, i want to show you again,
         let me do it, i will do it, let me demonstrate, i will demonstrate, let me teach you,
         i will teach you, i want to teach you, let me show you how, i will show you how,
-        i want to show you how, let me try again, i will show you again, show again
+        i want to show you how, let me try again, let me show you how it is done,
+        i will show you how it is done, let me show you how it works, i will show you how it works,
+        let me show you how to do it, i will show you how to do it, let me show you how to do that,
+        i will do it myself, let me do it myself, i show you how, i will show you again, show again
     """,
     Talk.WAIT: """
         wait a minute, wait a moment, wait a second, wait a sec, hold on, hang on, hold on a second,
@@ -139,9 +151,19 @@ _ASKING = re.compile(
     re.IGNORECASE,
 )
 _AROUND = frozenset({COMMA, STOP}) | word_set(
-    "please robot well oh um uh hm so and but now then ok okay sorry"
+    "please robot well oh um uh hm so and but now then ok okay sorry dear alright yay wow haha"
 )
-_TABLE = {words: kind for kind, text in reversed(_SAID.items()) for words in phrase_list(text)}
+_TABLE = {
+    tuple("is" if word == "'s" else word for word in words): kind
+    for kind, text in reversed(_SAID.items())
+    for words in phrase_list(text)
+}
+_ENDS_SHOWING = re.compile(
+    r"[,.;!]\s*(?:let me|i will|i'll|i shall)\s+(?:show|teach)\s+you"
+    r"(?:\s+how(?:\s+(?:it is|it's|that is|to do it|it works|i do it)(?:\s+done)?)?)?[\s.!]*$",
+    re.IGNORECASE,
+)
+"""Whatever stands before it: "oh, that is quite alright, let me show you how it is done"."""
 
 
 def small_talk(text: str) -> Talk | None:
@@ -150,7 +172,7 @@ def small_talk(text: str) -> Talk | None:
     Said twice it is the same: "that's it, done".
     """
     tokens = tokenise(spelled_out(text))
-    found = _kind(tokens)
+    found = Talk.SHOW if _ENDS_SHOWING.search(text) else _kind(tokens)
     if found is None:
         parts = [part for part in _parts(tokens) if not set(part) <= _AROUND]
         kinds = {_kind(part) for part in parts}
@@ -164,6 +186,17 @@ def without_greeting(text: str) -> str:
     found = _FIRST_PART.match(text)
     polite = found is not None and small_talk(found["first"]) in _POLITE
     return without_greeting(found["rest"]) if found and polite else text
+
+
+def meant_word(text: str) -> str:
+    """The word that ends or leaves something and that a single word is a slip of; else empty."""
+    tokens = [token for token in tokenise(text) if token not in _AROUND]
+    known = _KIND_WORDS - {*tokens}
+    near = suggest(tokens[0], known) if len(tokens) == 1 and tokens[0] not in _KIND_WORDS else ()
+    return near[0] if near else ""
+
+
+_KIND_WORDS = word_set("done finished finish ready skip stop cancel undo help quit")
 
 
 def asks_in_a_command(text: str) -> bool:
@@ -188,7 +221,8 @@ def _kind(tokens: Sequence[str]) -> Talk | None:
 
 
 def _words(tokens: Sequence[str]) -> tuple[str, ...]:
-    return tuple(token for token in tokens if token not in {COMMA, STOP})
+    spelled = ("is" if token == "'s" else token for token in tokens)
+    return tuple(token for token in spelled if token not in {COMMA, STOP})
 
 
 def _parts(tokens: Sequence[str]) -> list[list[str]]:

@@ -16,14 +16,22 @@ from verbteach.language.fallback import action_wording
 from verbteach.language.lexicon import Lexicon
 from verbteach.language.openers import OPENERS, Mood
 from verbteach.language.tokens import COMMA, STOP, tokenise
-from verbteach.language.wordlist import word_set
+from verbteach.language.wordlist import phrase_list, word_set
 from verbteach.world.domain import Domain
 
 Words = tuple[str, ...]
 
 _BEFORE = frozenset({COMMA, STOP, "or"}) | word_set(
-    "please now then and next so ok okay just well robot you i first finally again also to should"
+    "please now then and next so ok okay just well robot you i first finally again also to should "
+    "yes sure certainly alright right fine good great afterwards just thanks oh um hm yay lastly"
 )
+_LEADS = phrase_list("""
+    first of all, after that, after this, to begin with, to start with, last of all, in the end,
+    at the end, next up, of course, if you do not mind, if you please, if you want,
+    you will have to,
+    you would have to, be so kind and, be so kind as to, what you do is, what you do now is,
+    then you, and then you, i want you to, now you, you just, please to, you must to, you need
+""")
 _AFTER = frozenset({COMMA, STOP}) | word_set("please now then thanks robot first again")
 
 
@@ -60,8 +68,8 @@ def _patterns(name: str, arity: int, lexicon: Lexicon) -> tuple[Words, ...]:
 def step_words(text: str) -> Words:
     """The words of a step without what politeness and narration put around it."""
     words = tuple(tokenise(text))
-    while words and (words[0] in _BEFORE or _opener(words)):
-        words = words[max(_opener(words), 1) :]
+    while words and (words[0] in _BEFORE or _opener(words) or _lead(words)):
+        words = words[max(_opener(words), _lead(words), 1) :]
     while words and words[-1] in _AFTER:
         words = words[:-1]
     return words
@@ -75,6 +83,11 @@ def ways_in(words: Words, patterns: Mapping[str, tuple[Words, ...]]) -> tuple[Wa
         for pattern in listed
         for filled in _fits(pattern, words)
     )
+
+
+def _lead(words: Words) -> int:
+    """How many words narrate before the step: "after that", "first of all"."""
+    return next((len(lead) for lead in _LEADS if words[: len(lead)] == lead), 0)
 
 
 def _opener(words: Words) -> int:

@@ -37,6 +37,13 @@ from verbteach.world.task import Task
 _BY_HANDLE = 0.5
 """How much less a knob is meant by "the burner" than the burner itself; a vessel by what it has."""
 _MOST_OFFERED = 4
+_RUN_TOGETHER = 4
+"""So many words make two steps at the least: "go there open it"."""
+_SWITCHED: Mapping[str, Words] = {
+    "open": ("turn", "on"),
+    "close": ("turn", "off"),
+    "shut": ("turn", "off"),
+}
 
 
 _BETWEEN = re.compile(r"[,;.\n]|\band then\b|\bthen\b|\band\b")
@@ -82,6 +89,9 @@ class StepReader:
             narrowed = list(self._narrowed(words, before))
             return self._chosen(narrowed) if narrowed else StepReading(None, self._unknown(words))
         fits = list(self._fits(ways))
+        if not fits and words[0] in _SWITCHED:  # a tap is opened where it is turned on
+            switched = ways_in((*_SWITCHED[words[0]], *words[1:]), self._patterns)
+            fits = list(self._fits(switched))
         return self._chosen(fits) if fits else self._misfit(ways)
 
     def parts(self, text: str) -> tuple[str, ...]:
@@ -90,8 +100,32 @@ class StepReader:
         Each begins with the verb of a step; whether it can be read is seen when it comes.
         """
         parts = tuple(part for part in _BETWEEN.split(text.lower()) if step_words(part))
-        several = len(parts) > 1 and all(self._is_step(step_words(part)) for part in parts)
-        return parts if several else (text,)
+        first, rest = parts[:1], parts[1:]
+        begun = rest and all(self._is_step(step_words(part)) for part in first)
+        if begun and all(self._beginning(step_words(part)[0], None) for part in rest):
+            return parts
+        return self._run_together(step_words(text)) or (text,)
+
+    def _run_together(self, words: Words) -> tuple[str, ...]:
+        """Steps without a mark between them: "go to the fridge open it"; empty where it is one."""
+        if len(words) < _RUN_TOGETHER or self.read(" ".join(words)).action is not None:
+            return ()
+        starts = [at for at, word in enumerate(words) if at > 1 and self._beginning(word, None)]
+        for at in starts:
+            first = self.read(" ".join(words[:at]))
+            if first.action is not None and first.action in self._grounded:
+                rest = " ".join(words[at:])
+                return (" ".join(words[:at]), *(self._run_together(words[at:]) or (rest,)))
+        return ()
+
+    @cached_property
+    def _grounded(self) -> frozenset[Action]:
+        return frozenset(ground.action for ground in self.task.actions)
+
+    def says_a_step(self, text: str) -> bool:
+        """Whether the words are put as a step, whatever they name."""
+        words = step_words(text)
+        return bool(words) and self._is_step(words)
 
     def _is_step(self, words: Words) -> bool:
         return bool(ways_in(words, self._patterns)) or bool(self._beginning(words[0], 1))

@@ -67,6 +67,11 @@ _SLIPS = {
         "can": "cna",
         "put": "putt",
         "not": "nto",
+        "meant": "ment",
+        "right": "rigth rihgt",
+        "correct": "corect",
+        "which": "wich whcih",
+        "when": "wehn",
         "only": "olny onyl",
     }.items()
     for slip in slips.split()

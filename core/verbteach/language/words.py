@@ -149,8 +149,11 @@ ADVERB_PHRASES = by_first_word(
     "course, thank you, thanks a lot, as soon as possible, as soon as you can, if you can, if you "
     "could, if possible, if you please, if you like, if you would, if you do not mind, each "
     "other, a second time, after that, after this, and so on, first of all, in the meantime, this "
-    "time, next time, all right, like this, like that, one at a time, one by one, at a time, once "
-    "again"
+    "time, next time, if it is not too much trouble, if it is no trouble, if it is ok, if it is "
+    "okay, if that is ok, if that is okay, if you want, if you want to, if you have time, if it is "
+    "possible, if that is possible, if you have a moment, if you are not busy, last of all, to "
+    "begin with, to start with, all right, like this, like that, one at a time, one by one, at a "
+    "time, once again"
 )
 """Fixed phrases read over like adverbs."""
 
