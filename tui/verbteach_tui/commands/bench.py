@@ -26,10 +26,16 @@ SECONDS = 60.0
 def bench(
     part: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME", help=f"Only this part, and others named: {', '.join(NAMES)}."),
+        typer.Option(
+            metavar="NAME",
+            help=f"Only this part, and others named (all but peers): {', '.join(NAMES)}.",
+        ),
     ] = None,
     seconds: Annotated[
-        float, typer.Option(min=1, help="The most that a part may take; it reports what it has.")
+        float,
+        typer.Option(
+            min=1, metavar="S", help="The most that a part may take; it reports what it has."
+        ),
     ] = SECONDS,
     plain: Annotated[
         bool, typer.Option("--plain", help="As without the extra fast: nothing is compiled.")

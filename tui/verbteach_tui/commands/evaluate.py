@@ -60,12 +60,18 @@ def evaluate(
     criterion: Annotated[
         str | None,
         typer.Option(
-            metavar="NAME", help="most_specific, most_general, most_frequent, regression or oracle."
+            metavar="NAME",
+            help="How it chooses among goals (she16's): most_specific, most_general,"
+            " most_frequent, regression or oracle.",
         ),
     ] = None,
     objects: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help="argument-only, manipulated, argument-related or all."),
+        typer.Option(
+            metavar="NAME",
+            help="What its hypotheses speak of: argument-only, manipulated, argument-related or"
+            " all. Unless said, both are as was best on development data.",
+        ),
     ] = None,
     noise: NoiseOption = None,
     noise_reading: NoiseReading = None,

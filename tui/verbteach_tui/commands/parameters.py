@@ -11,6 +11,9 @@ import typer
 from verbteach_tui.conclusion import WrongUseError
 from verbteach_tui.eyes import NOISE, noise_names, noise_text
 
+SEEDS = 2**63
+"""How many seeds there are, from 0 on."""
+
 
 def scene_names(incomplete: str) -> list[str]:
     """The bundled scenes whose names begin so, for the shell's completion."""
@@ -37,6 +40,17 @@ def to_be_written(file: Path) -> None:
         raise WrongUseError(f"{folder}: there is no such folder")
     if not is_writable(folder):
         raise WrongUseError(f"{folder}: cannot be written to")
+
+
+def seed_of(text: str | int) -> int:
+    """The seed that was typed. A range of 19 digits in the help would tell nobody anything."""
+    try:
+        seed = int(text)
+    except ValueError:
+        raise typer.BadParameter(f"{text!r} is no whole number.") from None
+    if not 0 <= seed < SEEDS:
+        raise typer.BadParameter(f"{seed} is not from 0 to {SEEDS - 1}.")
+    return seed
 
 
 JsonFlag = Annotated[
@@ -88,6 +102,10 @@ WeightsOption = Annotated[
     Path | None,
     typer.Option("--weights", metavar="FILE", help="Weights of verbteach train, for --policy rl."),
 ]
+ThemeOption = Annotated[
+    str | None, typer.Option("--theme", metavar="NAME", help="The screen's colours (evening).")
+]
 SeedOption = Annotated[
-    int | None, typer.Option("--seed", min=0, max=2**63 - 1, help="The seed of all draws (0).")
+    int | None,
+    typer.Option("--seed", metavar="N", parser=seed_of, help="The seed of all draws (0)."),
 ]

@@ -17,7 +17,12 @@ if TYPE_CHECKING:
     from verbteach.world.scene import Scene
     from verbteach_scenarios.scenes import SceneReport
 
-SceneArgument = Annotated[str, typer.Argument(metavar="ID", autocompletion=scene_names)]
+SceneArgument = Annotated[
+    str,
+    typer.Argument(
+        metavar="ID", help="The scene, as in verbteach scenes list.", autocompletion=scene_names
+    ),
+]
 
 
 def list_scenes(scenes: ScenesFolder = None, as_json: JsonFlag = False) -> None:

@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from verbteach_tui.commands.parameters import ScenesFolder, SessionsFolder
+from verbteach_tui.commands.parameters import ScenesFolder, SessionsFolder, ThemeOption
 from verbteach_tui.commands.streams import note
 from verbteach_tui.conclusion import WrongUseError
 from verbteach_tui.near import known
@@ -20,9 +20,9 @@ TITLE = "verbteach"
 
 def serve(
     host: Annotated[str, typer.Option(metavar="HOST", help="Where to listen.")] = HOST,
-    port: Annotated[int, typer.Option(min=0, max=65535, help="The port; 0 takes a free one.")] = (
-        PORT
-    ),
+    port: Annotated[
+        int, typer.Option(min=0, max=65535, metavar="N", help="The port; 0 takes a free one.")
+    ] = (PORT),
     tokens: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="Let in who has one of these single-use tokens."),
@@ -32,8 +32,10 @@ def serve(
     ] = None,
     sessions: SessionsFolder = None,
     scenes: ScenesFolder = None,
-    theme: Annotated[str | None, typer.Option(metavar="NAME", help="The screen's colours.")] = None,
-    most: Annotated[int, typer.Option(min=1, max=1000, help="People at a time.")] = MOST,
+    theme: ThemeOption = None,
+    most: Annotated[
+        int, typer.Option(min=1, max=1000, metavar="N", help="People at a time.")
+    ] = MOST,
 ) -> None:
     """Serve the app to browsers: one process and one folder a visitor, until Ctrl-C.
 

@@ -24,7 +24,10 @@ if TYPE_CHECKING:
 
 
 def list_sessions(sessions: SessionsFolder = None, as_json: JsonFlag = False) -> None:
-    """List the sessions in a folder, the newest first; of those that are damaged, where and how."""
+    """List the sessions in a folder, the newest first.
+
+    Each log is checked for lines that were changed or lost; what to do stands below the list.
+    """
     from verbteach_sessions import catalogue
 
     folder = sessions or catalogue.default_folder()

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 SomePaths = Annotated[
     list[Path] | None,
-    typer.Argument(metavar="[PATH...]", help="Sessions, or folders of them (your own sessions)."),
+    typer.Argument(metavar="PATH", help="Sessions, or folders of them (your own sessions)."),
 ]
 NamesFile = Annotated[
     Path | None,
@@ -126,12 +126,21 @@ def _person(code: str, one: Mapping[str, Any]) -> tuple[object, ...]:
 def split(
     paths: SomePaths = None,
     out: Annotated[
-        Path | None, typer.Option("--out", metavar="FILE", help="Write the parts to a new file.")
+        Path | None,
+        typer.Option(
+            "--out", metavar="FILE", help="Write the parts to a new file (else they are only told)."
+        ),
     ] = None,
-    train: Annotated[float, typer.Option("--train", help="Its share of the sessions.")] = 0.8,
-    validation: Annotated[float, typer.Option("--validation", help="Its share.")] = 0.1,
-    test: Annotated[float, typer.Option("--test", help="Its share.")] = 0.1,
-    seed: Annotated[int, typer.Option("--seed", min=0, help="The seed of the draw.")] = 0,
+    train: Annotated[
+        float, typer.Option("--train", metavar="SHARE", help="Its share of the sessions.")
+    ] = 0.8,
+    validation: Annotated[
+        float, typer.Option("--validation", metavar="SHARE", help="Its share.")
+    ] = 0.1,
+    test: Annotated[float, typer.Option("--test", metavar="SHARE", help="Its share.")] = 0.1,
+    seed: Annotated[
+        int, typer.Option("--seed", min=0, metavar="N", help="The seed of the draw.")
+    ] = 0,
     force: Annotated[bool, typer.Option("--force", help="Replace the file.")] = False,
     as_json: JsonFlag = False,
 ) -> None:
@@ -158,9 +167,7 @@ def split(
 
 def make_datasheet(
     paths: SomePaths = None,
-    out: Annotated[
-        Path, typer.Option("--out", metavar="FILE", help="The datasheet (DATASHEET.md).")
-    ] = DATASHEET,
+    out: Annotated[Path, typer.Option("--out", metavar="FILE", help="The datasheet.")] = DATASHEET,
     as_json: JsonFlag = False,
 ) -> None:
     """Write a datasheet, or bring its figures up to date; what you wrote in it stays."""
@@ -186,7 +193,7 @@ def make_datasheet(
 def release(
     paths: SomePaths = None,
     datasheet: Annotated[
-        Path, typer.Option("--datasheet", metavar="FILE", help="The datasheet (DATASHEET.md).")
+        Path, typer.Option("--datasheet", metavar="FILE", help="The datasheet.")
     ] = DATASHEET,
     splits: Annotated[
         Path | None, typer.Option("--splits", metavar="FILE", help="The parts to go out.")

@@ -32,7 +32,7 @@ FormatName = Literal[
 ]
 Paths = Annotated[
     list[Path],
-    typer.Argument(metavar="PATH...", help="Sessions, or folders of sessions."),
+    typer.Argument(metavar="PATH", help="Sessions, or folders of sessions."),
 ]
 
 

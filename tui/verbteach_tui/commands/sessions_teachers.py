@@ -26,9 +26,7 @@ if TYPE_CHECKING:
     from verbteach_sessions.people.golds import LessonBook
     from verbteach_sessions.people.recorded import Recorded
 
-Paths = Annotated[
-    list[Path], typer.Argument(metavar="PATH...", help="Sessions, or folders of them.")
-]
+Paths = Annotated[list[Path], typer.Argument(metavar="PATH", help="Sessions, or folders of them.")]
 LessonsFolder = Annotated[
     Path | None,
     typer.Option("--lessons", metavar="DIR", help="The lessons that were taught (the bundled)."),

@@ -111,7 +111,9 @@ def answers(
 
 def tokens(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A new file for the tokens.")],
-    count: Annotated[int, typer.Option("--count", min=1, max=10_000, help="How many.")] = 20,
+    count: Annotated[
+        int, typer.Option("--count", min=1, max=10_000, metavar="N", help="How many.")
+    ] = 20,
     as_json: JsonFlag = False,
 ) -> None:
     """Write single-use tokens for `verbteach serve --tokens`, one a line, one for each person."""

@@ -21,6 +21,7 @@ from verbteach_tui.commands.parameters import (
     ScenesFolder,
     SeedOption,
     SessionsFolder,
+    ThemeOption,
     WeightsOption,
 )
 from verbteach_tui.commands.streams import columns, counting, emit, note, progress, tell
@@ -77,7 +78,9 @@ def teach(
     ] = None,
     patience: Annotated[
         int | None,
-        typer.Option(min=0, metavar="N", help="Questions a command after which it can't say."),
+        typer.Option(
+            min=0, metavar="N", help="Questions a command after which it can't say (no end)."
+        ),
     ] = None,
     plain: Annotated[bool, typer.Option("--plain", help="Lines instead of a full screen.")] = False,
     noise: NoiseOption = None,
@@ -121,7 +124,7 @@ def teach(
         typer.Option(metavar="SESSION", help="Go on with this session as it began."),
     ] = None,
     scenes: ScenesFolder = None,
-    theme: Annotated[str | None, typer.Option(metavar="NAME", help="The screen's colours.")] = None,
+    theme: ThemeOption = None,
     as_json: JsonFlag = False,
 ) -> None:
     """Teach the robot verbs, in a session that is kept.

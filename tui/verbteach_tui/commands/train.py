@@ -74,7 +74,10 @@ def train(
         typer.Option(help="The learner (lspi)."),
     ] = None,
     episodes: Annotated[
-        int | None, typer.Option(min=1, metavar="N", help="Dialogues to hold in each phase.")
+        int | None,
+        typer.Option(
+            min=1, metavar="N", help="Dialogues to hold in each phase (340; with --data 600)."
+        ),
     ] = None,
     calibrate: Annotated[
         int | None,
