@@ -29,6 +29,7 @@ from verbteach_tui.commands.parameters import (
     SeedOption,
     WeightsOption,
 )
+from verbteach_tui.commands.session_names import session_completions, session_named
 from verbteach_tui.commands.streams import Progress, columns, emit, progress, tell
 from verbteach_tui.conclusion import WrongUseError
 from verbteach_tui.eyes import check_kinds
@@ -54,7 +55,11 @@ def evaluate(
     source: Annotated[
         Path | None,
         typer.Option(
-            "--from", metavar="SESSION", help="Score the robot that was taught in this session."
+            "--from",
+            metavar="SESSION",
+            parser=session_named,
+            autocompletion=session_completions,
+            help="Score the robot that was taught in this session.",
         ),
     ] = None,
     criterion: Annotated[

@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 
 import typer
 
+from verbteach_tui.commands.session_names import session_completions, session_named
 from verbteach_tui.conclusion import WrongUseError
 from verbteach_tui.eyes import NOISE, noise_names, noise_text
 
@@ -20,6 +21,13 @@ def scene_names(incomplete: str) -> list[str]:
     from verbteach_scenarios.scenes import scene_ids
 
     return [name for name in scene_ids() if name.startswith(incomplete)]
+
+
+def policy_names(incomplete: str) -> list[str]:
+    """The question policies whose names begin so, for the shell's completion."""
+    return [
+        name for name in ("rl", "manual", "random", "split", "she16") if name.startswith(incomplete)
+    ]
 
 
 def chosen(values: Sequence[str], choices: Sequence[str], option: str) -> None:
@@ -65,7 +73,13 @@ SceneOption = Annotated[
     typer.Option("--scene", metavar="ID", help="The scene.", autocompletion=scene_names),
 ]
 SessionArgument = Annotated[
-    Path, typer.Argument(metavar="SESSION", help="A session's folder, or its events.jsonl.")
+    Path,
+    typer.Argument(
+        metavar="SESSION",
+        parser=session_named,
+        autocompletion=session_completions,
+        help="A session's folder, its events.jsonl, or its name in your own folder.",
+    ),
 ]
 SessionsFolder = Annotated[
     Path | None,
@@ -95,6 +109,7 @@ PolicyOption = Annotated[
     typer.Option(
         "--policy",
         metavar="NAME",
+        autocompletion=policy_names,
         help="How it asks: rl, manual, random, split or she16 (rl; she16 for scripts and pipes).",
     ),
 ]

@@ -13,6 +13,7 @@ from verbteach_tui.commands.parameters import (
     SessionArgument,
     SessionsFolder,
 )
+from verbteach_tui.commands.session_names import session_completions, session_path
 from verbteach_tui.commands.streams import columns, counting, emit, note, progress, tell
 from verbteach_tui.conclusion import CHECK_FAILED, WrongUseError
 
@@ -90,7 +91,13 @@ def _shown(value: object) -> object:
 
 def validate(
     path: Annotated[
-        Path, typer.Argument(metavar="SESSION|FOLDER", help="A session, or a folder of them.")
+        Path,
+        typer.Argument(
+            metavar="SESSION|FOLDER",
+            parser=session_path,
+            autocompletion=session_completions,
+            help="A session, or a folder of them.",
+        ),
     ],
     scenes: ScenesFolder = None,
     as_json: JsonFlag = False,

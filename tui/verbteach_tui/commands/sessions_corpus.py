@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from verbteach_tui.commands.parameters import JsonFlag, ScenesFolder
+from verbteach_tui.commands.session_names import session_completions, session_path
 from verbteach_tui.commands.streams import columns, counting, emit, note, progress, tell
 from verbteach_tui.conclusion import CHECK_FAILED, WrongUseError
 
@@ -18,7 +19,12 @@ if TYPE_CHECKING:
 
 SomePaths = Annotated[
     list[Path] | None,
-    typer.Argument(metavar="PATH", help="Sessions, or folders of them (your own sessions)."),
+    typer.Argument(
+        metavar="PATH",
+        parser=session_path,
+        autocompletion=session_completions,
+        help="Sessions, or folders of them (your own sessions).",
+    ),
 ]
 NamesFile = Annotated[
     Path | None,

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from verbteach_tui.commands.parameters import JsonFlag, ScenesFolder
+from verbteach_tui.commands.session_names import session_completions, session_path
 from verbteach_tui.commands.streams import columns, counting, emit, note, progress, tell
 
 if TYPE_CHECKING:
@@ -32,7 +33,12 @@ FormatName = Literal[
 ]
 Paths = Annotated[
     list[Path],
-    typer.Argument(metavar="PATH", help="Sessions, or folders of sessions."),
+    typer.Argument(
+        metavar="PATH",
+        parser=session_path,
+        autocompletion=session_completions,
+        help="Sessions, or folders of sessions.",
+    ),
 ]
 
 

@@ -14,6 +14,7 @@ from verbteach_tui.commands.parameters import (
     WeightsOption,
     to_be_written,
 )
+from verbteach_tui.commands.session_names import session_completions, session_path
 from verbteach_tui.commands.sessions_corpus import found_at
 from verbteach_tui.commands.streams import columns, emit, note, progress, tell
 from verbteach_tui.conclusion import CHECK_FAILED, WrongUseError
@@ -26,7 +27,15 @@ if TYPE_CHECKING:
     from verbteach_sessions.people.golds import LessonBook
     from verbteach_sessions.people.recorded import Recorded
 
-Paths = Annotated[list[Path], typer.Argument(metavar="PATH", help="Sessions, or folders of them.")]
+Paths = Annotated[
+    list[Path],
+    typer.Argument(
+        metavar="PATH",
+        parser=session_path,
+        autocompletion=session_completions,
+        help="Sessions, or folders of them.",
+    ),
+]
 LessonsFolder = Annotated[
     Path | None,
     typer.Option("--lessons", metavar="DIR", help="The lessons that were taught (the bundled)."),

@@ -24,6 +24,7 @@ from verbteach_tui.commands.parameters import (
     ThemeOption,
     WeightsOption,
 )
+from verbteach_tui.commands.session_names import session_completions, session_named
 from verbteach_tui.commands.streams import columns, counting, emit, note, progress, tell
 from verbteach_tui.conclusion import DONE, INTERRUPTED, WRONG_USE, WrongUseError
 from verbteach_tui.near import known
@@ -107,7 +108,11 @@ def teach(
     source: Annotated[
         Path | None,
         typer.Option(
-            "--from", metavar="SESSION", help="Start with this session's verbs and weights."
+            "--from",
+            metavar="SESSION",
+            parser=session_named,
+            autocompletion=session_completions,
+            help="Start with this session's verbs and weights.",
         ),
     ] = None,
     participant: Annotated[
@@ -121,7 +126,12 @@ def teach(
     sessions: SessionsFolder = None,
     resume: Annotated[
         Path | None,
-        typer.Option(metavar="SESSION", help="Go on with this session as it began."),
+        typer.Option(
+            metavar="SESSION",
+            parser=session_named,
+            autocompletion=session_completions,
+            help="Go on with this session as it began.",
+        ),
     ] = None,
     scenes: ScenesFolder = None,
     theme: ThemeOption = None,

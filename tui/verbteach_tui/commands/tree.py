@@ -97,6 +97,7 @@ SUMMARIES: Mapping[str, str] = {
     "reproduce": "Run the paper's experiments, with tables beside its own.",
     "serve": "Serve the app to browsers, one process a visitor.",
     "bench": "Measure speed and memory of this installation.",
+    "sessions list": "List sessions, the newest first.",
     "sessions show": "Show what was said in a session, and what came of it.",
     "sessions branch": "Make a session that begins as another did.",
     "sessions export": "Export sessions in the formats of other tools.",
