@@ -20,6 +20,9 @@ from verbteach.language.refer import Candidates, refer
 from verbteach.language.words import PREPOSITIONS
 from verbteach.world.fluents import Fluent, Goal, Literal
 
+_ELSEWHERE = PREPOSITIONS | {"next"}
+"""Begin where something should be, and no name: "no, next to the sink"."""
+
 
 class Exchanged(NamedTuple):
     """The goal that was carried out, about the thing ``now`` in the place of ``was``."""
@@ -35,7 +38,7 @@ def another_reference(draft: Draft, correction: Correction) -> tuple[str, Candid
     Of several things those that the phrase itself fits.
     """
     told = _told(draft, correction.meant)
-    if told is None:
+    if told is None or correction.meant.split()[0] in _ELSEWHERE:
         return None
     looks = looks_now(draft)
     for argument in draft.episode.frame.arguments:
@@ -59,7 +62,7 @@ def another_noun(draft: Draft, correction: Correction) -> tuple[str, Candidates]
     several phrases, or of none.
     """
     told, looks = _told(draft, correction.meant), looks_now(draft)
-    elsewhere = correction.meant.split()[0] in PREPOSITIONS  # "no, from the table"
+    elsewhere = correction.meant.split()[0] in _ELSEWHERE
     if told is None or told.head in PRONOUNS or elsewhere:
         return None
     found = tuple(row for row in _best(refer(told, looks)) if looks.is_thing(row[0]))

@@ -47,6 +47,26 @@ def begin(draft: Draft, command: str, frame: VerbFrame, *, shown: bool = False) 
 
     ``shown``: the teacher wants to show it, which decides that.
     """
+    _open(draft, command, frame)
+    if shown and unknown_words(draft) is None:
+        demonstration.request(draft, DemonstrationReason.TAKEN_OVER)
+    else:
+        deliberate(draft)
+
+
+def begin_with_goal(draft: Draft, command: str, frame: VerbFrame, goal: Goal) -> bool:
+    """Take up a command whose goal the teacher has told; False where no plan leads to it."""
+    planner = draft.mind.setting.planner
+    answer = planner.plan(perceived(draft, draft.state.world, "before").believed(), goal)
+    if not isinstance(answer, Plan) or not answer.actions:
+        return False
+    _open(draft, command, frame)
+    carrying_out.execute(draft, SelectHypo(goal, CORRECTED, answer.actions))
+    return True
+
+
+def _open(draft: Draft, command: str, frame: VerbFrame) -> None:
+    """Begin an episode: perceive, and ground the noun phrases."""
     world = draft.state.world
     grounding, guessed = ground_phrases(draft, frame)
     episode = EpisodeState(
@@ -60,10 +80,6 @@ def begin(draft: Draft, command: str, frame: VerbFrame, *, shown: bool = False) 
         guessed=guessed,
     )
     draft.remember(episode=episode)
-    if shown and unknown_words(draft) is None:
-        demonstration.request(draft, DemonstrationReason.TAKEN_OVER)
-    else:
-        deliberate(draft)
 
 
 def deliberate(draft: Draft) -> None:

@@ -21,6 +21,7 @@ from verbteach.world.fluents import Fluent, Literal
 Words = tuple[str, ...]
 
 _SELF = frozenset({("you",), ("robot",), ("the", "robot"), ("your", "hand"), ("your", "hands")})
+_TEACHER = frozenset({("i",), ("me",)})
 _PASSING = word_set(
     "all still now also fully completely back turned switched put placed left set kept made lying "
     "standing sitting moved brought got being down up already again again too there"
@@ -87,6 +88,8 @@ class Facts:
         """What the words fit best; substances are things here."""
         if words in _SELF:
             return self._of_type("robot")
+        if words in _TEACHER:
+            return self._of_type("person")
         if " ".join(words) in PRONOUNS:
             return self.spoken
         told = read_noun_phrase(self.draft, " ".join(words)) if words else None

@@ -7,7 +7,7 @@ else puts it to the goal.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Container, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -99,7 +99,8 @@ def named_parts(draft: Draft, talk: GoalTalk, goal: Goal, whole: Goal) -> Said |
         return said
     if talk.how is How.SAYS:
         return None
-    return _by_things(reader, talk, goal, whole)
+    it_is = reader.facts.about(("it",), talk.tokens)  # "only clean"
+    return Said(frozenset(it_is)) if len(it_is) == 1 else _by_things(reader, talk, goal, whole)
 
 
 def _by_things(reader: StatementReader, talk: GoalTalk, goal: Goal, whole: Goal) -> Said | None:
@@ -157,6 +158,7 @@ class StatementReader:
         unneeded: set[Literal] = set()
         earlier: Words = ()
         waiting: list[Words] = []
+        named: set[str] = set()
         for statement in statements:
             subjects, found = self._of(statement, earlier)
             if not found:
@@ -168,11 +170,12 @@ class StatementReader:
                 *((w, self.facts.about(w, statement.said)) for w in waiting),
                 (subjects, found),
             ]:
-                among = self._narrowed(literals) if statement.said else literals
+                among = self._narrowed(literals, named) if statement.said else literals
                 chosen = among if self._settled(words, among, statement) else ()
                 if not chosen:
                     return Said(problem=self._which(among))
                 (needed if statement.needed else unneeded).update(chosen)
+                named.update(thing for one in chosen for thing in one.fluent.args)
             earlier, waiting = subjects, []
         return None if waiting else Said(frozenset(needed), frozenset(unneeded))
 
@@ -191,12 +194,16 @@ class StatementReader:
             return subject, found or mentioning(self.whole, things)
         return subject, self.facts.about(subject, said, positive=positive)
 
-    def _narrowed(self, literals: Sequence[Literal]) -> tuple[Literal, ...]:
-        """Those that the goal speaks of, else those about what was spoken of, else all."""
+    def _narrowed(self, literals: Sequence[Literal], named: Container[str]) -> tuple[Literal, ...]:
+        """Those that the goal speaks of, else those about what was spoken of, else all.
+
+        ``named`` are the things of what was said just before.
+        """
         things = {thing for one in self.whole for thing in one.fluent.args}
         tests: tuple[Callable[[Literal], bool], ...] = (
             lambda one: one.fluent in {part.fluent for part in self.goal},
             lambda one: one.fluent in {part.fluent for part in self.whole},
+            lambda one: one.fluent.args[0] in named,
             lambda one: one.fluent.args[0] in self.facts.spoken,
             lambda one: things.issuperset(one.fluent.args),
         )

@@ -71,10 +71,9 @@ def _put_right(draft: Draft, text: str) -> bool:
     A thing that was taken wrongly comes before a goal where the words may choose one:
     "no, take the other one".
     """
-    anew = said_anew(draft, text)
+    anew, meant = said_anew(draft, text), goals_meant(draft, text)
     if anew and len(anew[0].arguments) > 1:
-        return _begun_anew(draft, anew)
-    meant = goals_meant(draft, text)
+        return _begun_anew(draft, anew, meant.goals[-1:])
     goal_first = says_how_it_should_be(text) or not (anew or _chooses(text))
     if goal_first and not meant.doubtful and _with_goal(draft, meant):
         return True
@@ -89,14 +88,22 @@ def _chooses(text: str) -> bool:
     return talk is not None and not _CHOOSING.isdisjoint(talk.tokens[:4])
 
 
-def _begun_anew(draft: Draft, frames: Sequence[VerbFrame]) -> bool:
-    """The command was said again in other words: everything is put back, and it is taken up."""
+def _begun_anew(draft: Draft, frames: Sequence[VerbFrame], goals: Sequence[Goal] = ()) -> bool:
+    """The command was said again in other words: everything is put back, and it is taken up.
+
+    The words may tell its goal as well: "no, put it on the table".
+    """
     carrying_out.disapprove(draft)
     draft.remember(world=draft.episode.start)
-    draft.say(acts.AskAgain("I see, and have put everything back first."))
     close(draft, Outcome.ABANDONED)
-    draft.remember(clauses=(*frames, *draft.state.clauses))
-    draft.reading = "; ".join(map(clause_text, frames))
+    (frame,) = frames
+    command = clause_text(frame)
+    draft.reading = command
+    draft.remember(latest=frame)
+    if any(execution.begin_with_goal(draft, command, frame, goal) for goal in goals):
+        return True
+    draft.say(acts.AskAgain("I see, and have put everything back first."))
+    draft.remember(clauses=(frame, *draft.state.clauses))
     commands.go_on(draft)
     return True
 

@@ -87,7 +87,7 @@ def _no_step(draft: Draft, text: str) -> str:
         return _NOT_TO_DO
     corrects = tokens[:2] == ["i", "meant"] or tokens[-1:] == ["instead"]
     if len(tokens) > 1 and (corrects or tokens[0] in _MISTAKEN):
-        return _OTHERWISE
+        return _about_the_end(draft, text) or _OTHERWISE
     answer = read_answer(text)
     if answer.label is Label.UNSURE or (answer.label is Label.YES and not answer.rest):
         return HOW

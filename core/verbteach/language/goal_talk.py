@@ -75,7 +75,11 @@ _ONLY = phrase_list("""
 """)
 _ONLY_TAILS = phrase_list(
     "only, nothing else, and nothing else, nothing more, and nothing more, and that is all, "
-    "that is all, that 's all, and that 's all, alone"
+    "that is all, that 's all, and that 's all, alone, the rest does not matter, "
+    "nothing else matters, the rest is not important, everything else does not matter, "
+    "the others do not matter, the rest is irrelevant, and the rest does not matter, "
+    "and nothing else matters, everything else is not important, the rest do not matter, "
+    "not the rest"
 )
 _WITHOUT = phrase_list("""
     not, without, except, except for, leave out, drop, strike, strike out, remove, forget,

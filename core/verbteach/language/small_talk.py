@@ -49,7 +49,9 @@ _SAID = {
         could you help me, help me please, please help me
     """,
     Talk.DONE: """
-        done, i am done, that is it, that is all, that 's it, that 's all, finished, i am finished,
+        done, i am done, finish demonstration, finish the demonstration, that is how,
+        end the demonstration, demonstration finished, that is it, that is all, that 's it,
+        that 's all, finished, i am finished,
         all done, ready, it is done, that was it, that was all, the end, end, end of demonstration,
         complete, completed, that is everything, i have finished, nothing more, no more steps,
         no more, nothing else, finish, end it, that is how you do it, that 's how you do it,

@@ -113,7 +113,7 @@ class StepReader:
         starts = [at for at, word in enumerate(words) if at > 1 and self._beginning(word, None)]
         for at in starts:
             first = self.read(" ".join(words[:at]))
-            if first.action is not None and first.action in self._grounded:
+            if first.open or first.action in self._grounded:
                 rest = " ".join(words[at:])
                 return (" ".join(words[:at]), *(self._run_together(words[at:]) or (rest,)))
         return ()
