@@ -135,3 +135,9 @@ async def test_what_is_typed_while_the_robot_thinks_is_a_new_line(
         assert [line.text for line in here.teach.snapshot.lines if line.speaker == "teacher"] == [
             "open it"
         ]
+
+
+async def test_steps_and_done_in_one_line_end_the_demonstration(tmp_path: Path) -> None:
+    async with room(tmp_path) as here:
+        await here.lines("open the fridge", "go to the fridge, open it, done")
+        await here.until(lambda: here.phase == "read_back", here.dialogue)

@@ -269,3 +269,14 @@ class Keyboard:
         got = os.read(self._descriptor, 65536).decode(errors="replace")
         self._unread += got
         self.seen += got
+
+
+def test_steps_and_the_end_of_the_demonstration_may_be_one_line(tmp_path: Path) -> None:
+    with begin(tmp_path) as session:
+        talk = Talk(session)
+        talk.hear("open the fridge", "typed")
+        talk.hear("fly to the moon, done", "typed")
+        assert session.turn.phase.value == "demonstration", "what went before was not understood"
+        said = talk.hear("go to the fridge, open it, done", "typed")
+        assert session.turn.phase.value == "read_back"
+        assert "the fridge must be open" in "\n".join(said)

@@ -22,7 +22,7 @@ from verbteach_tui.keyguard import KeyGuard
 from verbteach_tui.keys import ALSO, ANSWERS, ANYTIME, answer_keys, word_of
 from verbteach_tui.observer import Observer
 from verbteach_tui.prompts import command_example, prompt_of, step_example
-from verbteach_tui.reading import Reader
+from verbteach_tui.reading import Reader, lines_of
 from verbteach_tui.views.labels import Labels
 from verbteach_tui.views.steps import StepBook, StepMenu
 from verbteach_tui.views.wording import Wording
@@ -215,3 +215,20 @@ def test_examples_speak_of_what_is_there(
         snapshot = Observer(session).look()
         assert (command_example(snapshot), step_example(snapshot)) == (command, step)
         assert command in prompt_of(snapshot).placeholder
+
+
+@pytest.mark.parametrize(
+    ("line", "parts"),
+    [
+        ("open it, done", ("open it", "done")),
+        ("go to the fridge, open it and that's it.", ("go to the fridge, open it", "that's it")),
+        ("turn it on. Done!", ("turn it on", "Done")),
+        ("open it, and then I'm done", ("open it", "I'm done")),
+        ("done", ("done",)),
+        ("get it done", ("get it done",)),
+        ("is it done", ("is it done",)),
+    ],
+)
+def test_steps_and_the_end_behind_them_are_two_lines(line: str, parts: tuple[str, ...]) -> None:
+    assert lines_of(line, Phase.DEMONSTRATION) == parts
+    assert lines_of(line, Phase.COMMAND) == (line,)

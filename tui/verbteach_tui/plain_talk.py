@@ -17,7 +17,7 @@ from verbteach_sessions.session import Session
 from verbteach_sessions.session_acts import Flag, Note, Quit, Redo, Repeat, Undo, Why
 from verbteach_tui import plain_words
 from verbteach_tui.observer import Observer
-from verbteach_tui.reading import without_slash
+from verbteach_tui.reading import lines_of, without_slash
 from verbteach_tui.snapshot import Snapshot
 from verbteach_tui.spoken import price_text
 from verbteach_tui.teaching import REFUSALS
@@ -73,6 +73,15 @@ class Talk:
 
     def hear(self, line: str, via: str) -> list[str]:
         """Take a line the person said; answer with the lines to print. Raises ``MisfitError``."""
+        phase = self._snapshot.phase
+        first, *more = lines_of(line, phase)
+        heard = self._hear(first, via)
+        for rest in more:
+            if self._snapshot.phase is phase and not self._snapshot.problem:
+                heard = [*heard, *self._hear(rest, via)]
+        return heard
+
+    def _hear(self, line: str, via: str) -> list[str]:
         text = line.strip()
         local = self._local(without_slash(text))
         if local is not None:

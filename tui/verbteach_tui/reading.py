@@ -23,6 +23,13 @@ _ALWAYS = frozenset(key.word for key in ANYTIME) | {"quit"}
 _PLACED = re.compile(r"insert:?\s*(?P<at>\d{1,4})\s*:?\s+(?P<step>.+)")
 """As in: insert 2 go to the sink."""
 
+_AND_DONE = re.compile(
+    r"(?P<steps>.*?\w)(?:\s*[,;.]\s*(?:(?:and|then)\s+)*|\s+(?:(?:and|then)\s+)+)"
+    r"(?P<done>done|finished|that(?:'s|s| is) (?:it|all)|i(?:'m|m| am) (?:done|finished))[.!]*",
+    re.IGNORECASE,
+)
+"""Steps and the end of the demonstration in one line, as in: open it, done."""
+
 _ROOM = re.compile(
     r"(?:scene\s+(?P<named>\S+)"
     r"|go\s+to\s+(?P<numbered>[a-z]+(?:-[a-z0-9]+)*-\d+)"
@@ -58,6 +65,12 @@ _SESSION: Mapping[str, str] = {
 """Other ways to say a word of the session."""
 
 _VERDICTS: Mapping[ScriptAct, ScriptAct] = {acts.Yes(): acts.Good(), acts.No(): acts.Bad()}
+
+
+def lines_of(line: str, phase: Phase) -> tuple[str, ...]:
+    """The lines that a typed one stands for: steps and "done" behind them are two."""
+    both = _AND_DONE.fullmatch(line.strip()) if phase is Phase.DEMONSTRATION else None
+    return (both["steps"], both["done"]) if both else (line,)
 
 
 def without_slash(line: str) -> str:

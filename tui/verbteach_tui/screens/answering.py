@@ -12,6 +12,7 @@ from verbteach_sessions.session_acts import Note
 from verbteach_tui.keyguard import KeyGuard
 from verbteach_tui.keys import word_of
 from verbteach_tui.messages import ActPicked, LineTyped, PartToggled, StepChosen
+from verbteach_tui.reading import lines_of
 from verbteach_tui.screens.note import NoteScreen
 from verbteach_tui.screens.speaking import SpeakingScreen
 from verbteach_tui.teaching import Teaching
@@ -180,11 +181,13 @@ class AnsweringScreen(SpeakingScreen):
 
     def on_line_typed(self, message: LineTyped) -> None:
         """A line was typed; it leaves the input once it is on its way."""
+        first, *more = lines_of(message.text, self.snapshot.phase)
         if self.thinking and self.snapshot.phase in _AHEAD:
-            self._ahead.append(message.text)
+            self._ahead += [first, *more]
             self.query_one(CommandInput).sent()
-        elif self.say_line(message.text, "typed"):
-            self._typed = message.text
+        elif self.say_line(first, "typed"):
+            self._typed = first
+            self._ahead += more
             self.query_one(CommandInput).sent()
 
     def say_what_was_typed_ahead(self, before: Phase) -> None:
