@@ -17,8 +17,9 @@ from tests.experiments.shelves import STARTS, grounds, instances, put, room
 from verbteach.experiments.evaluation import Grounds, ceiling_trials, evaluate, run_trials, scores
 from verbteach.experiments.folds import held_out, is_development, leave_one_environment_out
 from verbteach.experiments.groundings import shown
-from verbteach.experiments.jobs import Lesson, Setup
+from verbteach.experiments.jobs import Setup
 from verbteach.experiments.judging import Judge, Score
+from verbteach.experiments.polling import Lesson
 from verbteach.experiments.she16 import CRITERIA, VARIANTS, Variant, variant
 from verbteach.perception.noise import LEVELS, READINGS, NoiseModel
 from verbteach.verbs.application import certain, uniform

@@ -13,18 +13,21 @@ from hypothesis import strategies as st
 from tests.verbs.strategies import FEW, PLANNER, TOY, spaces
 from verbteach.verbs.application import Evidence, Situation, evidence, uniform
 from verbteach.verbs.criteria import MOST_FREQUENT
-from verbteach.verbs.features import NAMES, Vote, votes
+from verbteach.verbs.features import NAMES, votes
 from verbteach.verbs.knowledge import VerbKnowledge
 from verbteach.verbs.regression import FittingParameters, Judged, Regression, fit
 from verbteach.verbs.selection import SelectionParameters, candidates, select
-from verbteach.verbs.space import Demonstration, HypothesisSpace
-
-SOMEONE = Demonstration("d", "move", (), ())
+from verbteach.verbs.space import HypothesisSpace
 
 
-def judged(reward: float, **features: float) -> Judged:
-    values = tuple(features.get(name, 0.0) for name in NAMES)
-    return Judged(Vote(values, 1.0, SOMEONE), reward)
+def judged(reward: float, **features: float) -> tuple[float, list[float]]:
+    return reward, [features.get(name, 0.0) for name in NAMES]
+
+
+def command(*rows: tuple[float, list[float]]) -> Judged:
+    """A development command with one vote for each of its goals."""
+    rewards, features = zip(*rows, strict=True)
+    return Judged(np.array(features), np.ones(len(rows)), np.array(rewards), ("d",) * len(rows))
 
 
 def situations(found: list[HypothesisSpace]) -> Situation:
@@ -73,10 +76,12 @@ def test_votes_hang_on_no_other_demonstration(found: list[HypothesisSpace]) -> N
 def test_fitting_finds_the_feature_that_pays() -> None:
     draw = np.random.default_rng(0)
     commands = [
-        [
-            judged(float(paid), same_objects=float(paid), size=float(draw.random()))
-            for paid in (True, False, False)
-        ]
+        command(
+            *(
+                judged(float(paid), same_objects=float(paid), size=float(draw.random()))
+                for paid in (True, False, False)
+            )
+        )
         for _ in range(30)
     ]
     weights = dict(zip(NAMES, fit(commands).weights, strict=True))
@@ -88,8 +93,8 @@ def test_fitting_finds_the_feature_that_pays() -> None:
 
 def test_each_command_weighs_the_same() -> None:
     """One command with many goals that praise a feature; nine with few that condemn it."""
-    loud = [judged(1.0, size=1.0)] * 200 + [judged(0.0)] * 200
-    quiet = [judged(0.0, size=1.0), judged(1.0)]
+    loud = command(*[judged(1.0, size=1.0)] * 200, *[judged(0.0)] * 200)
+    quiet = command(judged(0.0, size=1.0), judged(1.0))
     weights = dict(zip(NAMES, fit([loud, *[quiet] * 9]).weights, strict=True))
     assert weights["size"] < 0
 
@@ -97,7 +102,8 @@ def test_each_command_weighs_the_same() -> None:
 @given(st.permutations([0, 1, 2, 3]))
 def test_the_order_of_commands_hardly_matters(order: list[int]) -> None:
     commands = [
-        [judged(0.1 * i, phrases=0.2 * i), judged(0.5, least=1.0), judged(0.3)] for i in range(4)
+        command(judged(0.1 * i, phrases=0.2 * i), judged(0.5, least=1.0), judged(0.3))
+        for i in range(4)
     ]
     one, other = fit(commands), fit([commands[i] for i in order])
     assert one.weights == pytest.approx(other.weights, abs=2e-6)
@@ -105,7 +111,7 @@ def test_the_order_of_commands_hardly_matters(order: list[int]) -> None:
 
 def test_nothing_to_learn_from() -> None:
     assert fit([]) == Regression()
-    assert fit([[judged(0.5, size=1.0), judged(0.5)]]) == Regression()
+    assert fit([command(judged(0.5, size=1.0), judged(0.5))]) == Regression()
 
 
 def test_weights_travel_as_json() -> None:

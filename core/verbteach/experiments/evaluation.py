@@ -18,8 +18,6 @@ from verbteach.experiments.figures import Figure, Observation, constant, figure
 from verbteach.experiments.folds import Fold, is_development
 from verbteach.experiments.jobs import (
     Development,
-    Lesson,
-    Lessons,
     Setup,
     Site,
     Trial,
@@ -29,10 +27,11 @@ from verbteach.experiments.jobs import (
 )
 from verbteach.experiments.judging import Judge
 from verbteach.experiments.parcels import Parcel
+from verbteach.experiments.polling import Lesson, School
 from verbteach.experiments.she16 import CRITERIA, ORACLE, REGRESSION
 from verbteach.experiments.sight import Sight, stream
 from verbteach.experiments.workroom import PlannerMaker, furnished
-from verbteach.verbs.criteria import PLAIN_CRITERIA, Criterion
+from verbteach.verbs.criteria import PLAIN_CRITERIA, Teller
 from verbteach.verbs.instance import Instance
 from verbteach.verbs.regression import fit
 from verbteach.world.task import Task
@@ -82,13 +81,14 @@ def run_trials(
     mapper: Mapper = map,
     known: dict[str, Lesson] | None = None,
     sight: Sight | None = None,
+    school: School | None = None,
 ) -> list[Trial]:
     """One run: the trials of all folds, by instance.
 
-    ``known`` and ``sight`` as in ``compare_criteria``.
+    ``known``, ``sight`` and ``school`` as in ``compare_criteria``.
     """
-    criterion = setup.variant.criterion
-    return compare_criteria(grounds, setup, (criterion,), run, mapper, known, sight)[criterion]
+    own = setup.variant.criterion
+    return compare_criteria(grounds, setup, (own,), run, mapper, known, sight, school)[own]
 
 
 def compare_criteria(
@@ -99,6 +99,7 @@ def compare_criteria(
     mapper: Mapper = map,
     known: dict[str, Lesson] | None = None,
     sight: Sight | None = None,
+    school: School | None = None,
 ) -> dict[str, list[Trial]]:
     """One run of learners that learn alike and differ in how they choose: trials by criterion.
 
@@ -107,12 +108,18 @@ def compare_criteria(
     gathered once. ``known`` are the lessons of an earlier call with the same
     setup and run on the same instances, whatever its folds; what is learned
     now is added. ``sight`` is that of the setup's noise and seed, the run and
-    the instances, where somebody has looked through it before.
+    the instances, where somebody has looked through it before. ``school`` is
+    that of an earlier call with more lessons of the same setup and run: all
+    that those say about a command is remembered there.
     """
     with without_collecting():
         sight = sight or Sight.of(setup.noise, grounds.instances, setup.seed, run)
         site = Site(setup, sight, grounds.parcels, grounds.planner)
-        lessons = Parcel(_learned(grounds, site, mapper, {} if known is None else known))
+        known = {} if known is None else known
+        _learn(grounds, site, mapper, known)
+        school = School() if school is None else school
+        school.admit({instance.id: known[instance.id] for instance in grounds.train})
+        lessons = Parcel(school)
         chosen = _criteria(grounds, site, lessons, criteria, mapper)
         jobs = [
             (site.only(fold.test), fold.test, (lessons, [i.id for i in fold.train]), own)
@@ -122,24 +129,23 @@ def compare_criteria(
     return {name: sorted(trial for one in found for trial in one[name]) for name in criteria}
 
 
-def _learned(grounds: Grounds, site: Site, mapper: Mapper, known: dict[str, Lesson]) -> Lessons:
-    """The known lessons with those that are still to be learned, which are added to them."""
+def _learn(grounds: Grounds, site: Site, mapper: Mapper, known: dict[str, Lesson]) -> None:
+    """Add the lessons that are still to be learned to those that are known."""
     new = [instance for instance in grounds.train if instance.id not in known]
     jobs = [(site.only(own), own) for own in _by_environment(new).values()]
     for lessons in mapper(learn_all, jobs):
         known.update((lesson.demonstration.id, lesson) for lesson in lessons)
-    return known
 
 
 def _criteria(
     grounds: Grounds,
     site: Site,
-    lessons: Parcel[Lessons],
+    lessons: Parcel[School],
     names: Sequence[str],
     mapper: Mapper,
-) -> list[dict[str, Criterion | None]]:
+) -> list[dict[str, Teller | None]]:
     """Each fold's criteria; the regression is fitted to what the fold may learn from."""
-    alike: dict[str, Criterion | None] = {
+    alike: dict[str, Teller | None] = {
         name: PLAIN_CRITERIA.get(name) for name in names if name != REGRESSION
     }
     if REGRESSION not in names:
@@ -153,7 +159,7 @@ def _criteria(
 
 
 def _developed(
-    grounds: Grounds, site: Site, lessons: Parcel[Lessons], mapper: Mapper
+    grounds: Grounds, site: Site, lessons: Parcel[School], mapper: Mapper
 ) -> Development:
     """Votes on the development commands, by lessons from other environments than theirs."""
     share = site.setup.development
@@ -163,17 +169,13 @@ def _developed(
         others = [i.id for i in grounds.train if i.environment != environment]
         if chosen:
             jobs.append((site.only(chosen), chosen, (lessons, others)))
-    return {name: votes for found in mapper(develop_all, jobs) for name, votes in found.items()}
+    return {name: own for found in mapper(develop_all, jobs) for name, own in found.items()}
 
 
 def _within(development: Development, fold: Fold) -> Development:
     """The development votes whose command and demonstration the fold learns from."""
     known = {instance.id for instance in fold.train}
-    return {
-        name: [judged for judged in development[name] if judged.vote.demonstration.id in known]
-        for name in sorted(development)
-        if name in known
-    }
+    return {name: development[name].among(known) for name in sorted(development) if name in known}
 
 
 def _by_environment(instances: Sequence[Instance]) -> dict[str, list[Instance]]:

@@ -15,20 +15,20 @@ from verbteach.collecting import without_collecting
 from verbteach.experiments.groundings import GROUNDERS, Grounder, shown
 from verbteach.experiments.judging import Judge, Score
 from verbteach.experiments.parcels import Parcel
+from verbteach.experiments.polling import Lesson, Panel, School
 from verbteach.experiments.she16 import Variant
 from verbteach.experiments.sight import Sight
 from verbteach.experiments.workroom import PlannerMaker, Workroom, furnished
 from verbteach.perception.noise import NoiseModel
-from verbteach.verbs.application import Evidence, GroundingBelief, Situation, evidence
-from verbteach.verbs.criteria import MOST_FREQUENT, Criterion
-from verbteach.verbs.features import votes
-from verbteach.verbs.hypothesis import Learner, NoHypothesis, Shown
+from verbteach.verbs.application import GroundingBelief, Situation
+from verbteach.verbs.criteria import MOST_FREQUENT, Teller
+from verbteach.verbs.hypothesis import Learner, Shown
 from verbteach.verbs.instance import Instance
-from verbteach.verbs.knowledge import VerbKnowledge
 from verbteach.verbs.learning import derive
+from verbteach.verbs.poll import Poll
 from verbteach.verbs.regression import Judged
-from verbteach.verbs.selection import ranked, select
-from verbteach.verbs.space import Demonstration, FrameKey, HypothesisSpace
+from verbteach.verbs.selection import best_plan
+from verbteach.verbs.space import Demonstration, FrameKey
 from verbteach.world.fluents import Goal, State
 from verbteach.world.plan import Action, Plan, PlanFailure
 from verbteach.world.task import Task
@@ -83,13 +83,6 @@ class Site:
         return replace(self, tasks=tasks, sight=self.sight.only({i.group for i in instances}))
 
 
-class Lesson(NamedTuple):
-    """What a demonstration taught."""
-
-    demonstration: Demonstration
-    outcome: HypothesisSpace | NoHypothesis
-
-
 class Trial(NamedTuple):
     """One test command: how the plan did, the goals there were to choose from, and the plan."""
 
@@ -103,15 +96,13 @@ class Trial(NamedTuple):
 
 
 LearnJob: TypeAlias = tuple[Site, Sequence[Instance]]
-Lessons: TypeAlias = Mapping[str, Lesson]
-"""Lessons by instance."""
-Taught: TypeAlias = tuple[Parcel[Lessons], Sequence[str]]
-"""All lessons of a run, and which of them a job learns from, in this order."""
+Taught: TypeAlias = tuple[Parcel[School], Sequence[str]]
+"""The lessons of a run, and which of them a job learns from, in this order."""
 DevelopJob: TypeAlias = tuple[Site, Sequence[Instance], Taught]
-Criteria: TypeAlias = Mapping[str, Criterion | None]
+Criteria: TypeAlias = Mapping[str, Teller | None]
 """Criteria to choose by, by name; None stands for the answer itself."""
 TestJob: TypeAlias = tuple[Site, Sequence[Instance], Taught, Criteria]
-Development: TypeAlias = dict[str, list[Judged]]
+Development: TypeAlias = dict[str, Judged]
 """Judged votes by development instance."""
 
 
@@ -126,8 +117,8 @@ def develop_all(job: DevelopJob) -> Development:
     """Judge what the lessons' votes for some instances' commands come to."""
     site, instances, taught = job
     with without_collecting():
-        knowledge, experience = _remembered(taught)
-        return {i.id: _judged(site, i, knowledge, experience) for i in instances}
+        panel = _panel(taught)
+        return {i.id: _judged(site, i, panel) for i in instances}
 
 
 def test_all(job: TestJob) -> dict[str, list[Trial]]:
@@ -135,20 +126,17 @@ def test_all(job: TestJob) -> dict[str, list[Trial]]:
     site, instances, taught, criteria = job
     found: dict[str, list[Trial]] = {name: [] for name in criteria}
     with without_collecting():
-        knowledge, experience = _remembered(taught)
+        panel = _panel(taught)
         for instance in instances:
-            state, gathered = _gathered(site, instance, knowledge, experience)
-            test = _Test(site, instance, state, gathered)
+            test = _Test(site, instance, *_polled(site, instance, panel))
             for name, criterion in criteria.items():
                 found[name].append(test.trial(criterion))
     return found
 
 
-def _remembered(taught: Taught) -> tuple[VerbKnowledge, tuple[Demonstration, ...]]:
-    every, names = taught
-    lessons = [every.value[name] for name in names]
-    spaces = [one.outcome for one in lessons if isinstance(one.outcome, HypothesisSpace)]
-    return VerbKnowledge.merged(spaces), tuple(one.demonstration for one in lessons)
+def _panel(taught: Taught) -> Panel:
+    school, names = taught
+    return school.value.panel(names)
 
 
 def _lesson(site: Site, instance: Instance) -> Lesson:
@@ -173,37 +161,28 @@ def _demonstration(setup: Setup, instance: Instance, start: State, end: State) -
     return Demonstration(instance.id, instance.verb, instance.phrases, grounding)
 
 
-def _gathered(
-    site: Site,
-    instance: Instance,
-    knowledge: VerbKnowledge,
-    experience: Sequence[Demonstration],
-) -> tuple[State, tuple[Evidence, ...]]:
+def _polled(site: Site, instance: Instance, panel: Panel) -> tuple[State, Poll]:
     """What the robot believes of the scene, and the goals that the command may mean there."""
     room = site.room(instance)
     state = site.sight.met(instance, room).believed()
-    belief = site.setup.ground(instance, experience)
+    belief = site.setup.ground(instance, panel.experience)
     situation = Situation(
         FrameKey(*instance.frame), instance.phrases, belief, state, room.surroundings
     )
-    return state, evidence(knowledge, situation, site.setup.variant.selection.application)
+    parameters = site.setup.variant.selection.application
+    return state, panel.poll(instance.id, situation, parameters)
 
 
-def _judged(
-    site: Site,
-    instance: Instance,
-    knowledge: VerbKnowledge,
-    experience: Sequence[Demonstration],
-) -> list[Judged]:
+def _judged(site: Site, instance: Instance, panel: Panel) -> Judged:
     room = site.room(instance)
-    state, gathered = _gathered(site, instance, knowledge, experience)
+    state, poll = _polled(site, instance, panel)
     judge = Judge(instance, room)
-    found = []
-    for candidate in ranked(gathered, MOST_FREQUENT, site.setup.judged_goals):
-        reward = _worth(room, judge, state, candidate.goal)
+    rewards = {}
+    for wanted in poll.ranked(MOST_FREQUENT.tally(poll), site.setup.judged_goals):
+        reward = _worth(room, judge, state, wanted.goal)
         if reward is not None:
-            found += [Judged(vote, reward) for vote in votes(candidate.evidence)]
-    return found
+            rewards[wanted.number] = reward
+    return Judged.of(poll, rewards)
 
 
 def _worth(room: Workroom, judge: Judge, state: State, goal: Goal) -> float | None:
@@ -221,13 +200,13 @@ class _Test:
     site: Site
     instance: Instance
     state: State
-    gathered: tuple[Evidence, ...]
+    poll: Poll
 
     @cached_property
     def _judge(self) -> Judge:
         return Judge(self.instance, self.site.room(self.instance))
 
-    def trial(self, criterion: Criterion | None) -> Trial:
+    def trial(self, criterion: Teller | None) -> Trial:
         """How the plan does that the criterion chooses; without one the answer itself does."""
         plan = self._best() if criterion is None else self._chosen(criterion)
         return Trial(
@@ -236,15 +215,15 @@ class _Test:
             self.instance.environment,
             self.instance.verb,
             self._judge.score(plan),
-            len(self.gathered),
+            len(self.poll.goals),
             tuple(map(str, plan)),
         )
 
-    def _chosen(self, criterion: Criterion) -> tuple[Action, ...]:
+    def _chosen(self, criterion: Teller) -> tuple[Action, ...]:
         parameters = self.site.setup.variant.selection
-        wanted = ranked(self.gathered, criterion, parameters.planned)
-        chosen = select(wanted, self.state, self._judge.room.planner, parameters)
-        return () if chosen is None else chosen.plan.actions
+        wanted = self.poll.ranked(criterion.tally(self.poll), parameters.planned)
+        chosen = best_plan(wanted, self.state, self._judge.room.planner, parameters)
+        return () if chosen is None else chosen[1].actions
 
     def _best(self) -> tuple[Action, ...]:
         """The plan of the first goal that comes to the best SJI.
@@ -254,14 +233,14 @@ class _Test:
         """
         judge, planner = self._judge, self._judge.room.planner
         sees = self.state == self.instance.start or not self.site.setup.exact_ceiling
-        bounds = [judge.most(one.goal) if sees else 1.0 for one in self.gathered]
+        bounds = [judge.most(goal) if sees else 1.0 for goal in self.poll.goals]
         best, at = 0.0, len(bounds)
         plan: tuple[Action, ...] = ()
         worths: dict[Plan | PlanFailure, float] = {}
         for index in sorted(range(len(bounds)), key=lambda i: (-bounds[i], i)):
             if (bounds[index], -index) <= (best, -at):
                 break
-            answer = planner.plan(self.state, self.gathered[index].goal)
+            answer = planner.plan(self.state, self.poll.goals[index])
             actions = answer.actions if isinstance(answer, Plan) else ()
             worth = worths.get(answer)
             if worth is None:

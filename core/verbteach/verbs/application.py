@@ -106,6 +106,11 @@ class Support(NamedTuple):
         return self.probability * len(self.uses)
 
 
+Block: TypeAlias = list[tuple[Goal, Support]]
+"""What one hypothesis speaks for about the same things; demonstrations' own arguments
+come in the order of the first demonstration that has them."""
+
+
 @dataclass(frozen=True)
 class Evidence:
     """A goal with everything that speaks for it."""
@@ -155,29 +160,44 @@ def evidence(
     command's own frame before others: a fixed order for the same knowledge.
     """
     parameters = parameters or ApplicationParameters()
+    borrows = knowledge.taught(situation.frame.verb) < parameters.borrow_below
+    found: dict[Goal, list[Support]] = defaultdict(list)
+    for block in supports(knowledge, situation, parameters, borrows):
+        for goal, support in block:
+            found[goal].append(support)
+    return tuple(Evidence(goal, tuple(s), situation) for goal, s in found.items())
+
+
+def supports(
+    knowledge: VerbKnowledge,
+    situation: Situation,
+    parameters: ApplicationParameters,
+    borrows: bool,
+) -> Iterator[Block]:
+    """Everything that speaks for a goal, in the order of ``evidence``.
+
+    ``borrows``: the goals of all verbs are taken.
+    """
     belief = likeliest(situation.groundings, parameters.groundings)
     things = _Things(situation.surroundings, parameters.replace_missing)
     arguments: dict[int, _Arguments] = {}
-    found: dict[Goal, list[Support]] = defaultdict(list)
-    for frame in _frames(knowledge, situation.frame, parameters):
+    for frame in _frames(knowledge, situation.frame, parameters.whole_verb, borrows):
         arity = frame.key.arity
         fitting = arguments.setdefault(arity, _Arguments(arity, belief))
         for node in frame.nodes.values():
             bindings = node.least if parameters.least_only else node.bindings
-            for goal, support in _supports(frame, node, bindings, fitting, things):
-                found[goal].append(support)
-    return tuple(Evidence(goal, tuple(s), situation) for goal, s in found.items())
+            yield from _supports(frame, node, bindings, fitting, things)
 
 
 def _frames(
-    knowledge: VerbKnowledge, key: FrameKey, parameters: ApplicationParameters
+    knowledge: VerbKnowledge, key: FrameKey, whole_verb: bool, borrows: bool
 ) -> list[FrameSpace]:
-    if parameters.whole_verb:
+    if borrows:
+        chosen = list(knowledge.frames)
+    elif whole_verb:
         chosen = [k for k in knowledge.frames if k.verb == key.verb]
     else:
         chosen = [key] if key in knowledge.frames else []
-    if knowledge.taught(key.verb) < parameters.borrow_below:
-        chosen = list(knowledge.frames)
     order = sorted(chosen, key=lambda k: (k != key, k.verb != key.verb, k))
     return [knowledge.frames[k] for k in order]
 
@@ -188,15 +208,15 @@ def _supports(
     bindings: Bindings,
     arguments: _Arguments,
     things: _Things,
-) -> Iterator[tuple[Goal, Support]]:
+) -> Iterator[Block]:
     mould = node.mould
     for binding, uses in bindings:
         for used, share, replaced in things.choices(node.literals, binding):
-            for alike, (chosen, grounding, probability) in arguments.choices(mould.variables, uses):
-                goal = mould.filled(chosen, used)
-                if goal is not None:
-                    weight = probability * share
-                    yield goal, Support(frame, node, alike, chosen, grounding, weight, replaced)
+            yield [
+                (goal, Support(frame, node, alike, key, grounding, probability * share, replaced))
+                for alike, (key, grounding, probability) in arguments.choices(mould.variables, uses)
+                if (goal := mould.filled(key, used)) is not None
+            ]
 
 
 class _Chosen(NamedTuple):

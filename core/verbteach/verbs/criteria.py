@@ -10,8 +10,12 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
+import numpy as np
+from numpy.typing import NDArray
+
 from verbteach.verbs.application import Evidence
 from verbteach.verbs.knowledge import Use
+from verbteach.verbs.poll import Poll
 from verbteach.world.fluents import Goal
 
 
@@ -25,6 +29,14 @@ class Criterion(Protocol):
 
     def score(self, evidence: Evidence) -> float:
         """How much the goal is wanted. Depends on nothing but ``evidence``."""
+        ...
+
+
+class Teller(Criterion, Protocol):
+    """A criterion that is quick about all goals of a command at once."""
+
+    def tally(self, poll: Poll) -> NDArray[np.float64]:
+        """Every goal's score; the same as ``score`` one by one."""
         ...
 
 
@@ -45,6 +57,10 @@ class Counting:
             support.probability * sum(map(self.counts, support.uses))
             for support in evidence.supports
         )
+
+    def tally(self, poll: Poll) -> NDArray[np.float64]:
+        """Every goal's number."""
+        return poll.counted(np.fromiter(map(self.counts, poll.uses), bool, len(poll.uses)))
 
 
 @dataclass(frozen=True)
@@ -78,7 +94,7 @@ MOST_SPECIFIC = Counting("most_specific", whole_goal)
 MOST_GENERAL = Counting("most_general", least_goal)
 MOST_FREQUENT = Counting("most_frequent", any_goal)
 
-PLAIN_CRITERIA: Mapping[str, Criterion] = {
+PLAIN_CRITERIA: Mapping[str, Teller] = {
     criterion.name: criterion for criterion in (MOST_SPECIFIC, MOST_GENERAL, MOST_FREQUENT)
 }
 """The criteria that need neither fitting nor the answer, by name."""

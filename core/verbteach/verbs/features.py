@@ -10,14 +10,16 @@ by leaving out its votes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
 from typing import NamedTuple
 
+import numpy as np
+from numpy.typing import NDArray
+
 from verbteach.verbs.application import Evidence, Situation, Support
-from verbteach.verbs.knowledge import Use
 from verbteach.verbs.space import Demonstration
-from verbteach.world.fluents import Literal
+from verbteach.world.fluents import Goal
 
 NAMES: tuple[str, ...] = (
     "satisfied",  # share of the goal's fluents that hold already
@@ -37,6 +39,15 @@ NAMES: tuple[str, ...] = (
 )
 
 
+OF_GOAL = [0, 12, 13]
+OF_SUPPORT = [1, 7, 8, 11]
+OF_VOTE = [2, 3, 4, 5, 6, 9, 10]
+"""The places in ``NAMES`` of what all votes for a goal have in common, those of a support, and
+what is each vote's own."""
+
+_LARGE = 6
+
+
 class Vote(NamedTuple):
     """One demonstration's vote: features (as ``NAMES``) and its grounding's probability."""
 
@@ -47,31 +58,58 @@ class Vote(NamedTuple):
 
 def votes(evidence: Evidence) -> Iterator[Vote]:
     """The votes for a goal, by support and then by demonstration."""
-    satisfied = evidence.satisfied
-    negative = sum(not literal.positive for literal in evidence.goal) / len(evidence.goal)
-    size = min(len(evidence.goal), _LARGE) / _LARGE
-    for support in evidence.supports:
-        others = _other_things(support.node.literals)
-        frame, wanted = support.frame.key, evidence.situation.frame
-        own = (float(frame.verb == wanted.verb), float(frame.arity == wanted.arity))
-        replaced = float(support.replaced)
-        for use in support.uses:
-            phrases = _phrases(evidence.situation.phrases, use.demonstration.phrases)
-            marks = (float(use.leaf), float(use.base), float(use.confirmed))
-            objects = _objects(evidence.situation, support, use)
-            features = (
-                satisfied, others, *phrases, *marks, *own, *objects, replaced, size, negative
-            )  # fmt: skip
-            yield Vote(features, support.probability, use.demonstration)
+    supports = evidence.supports
+    numbers = np.repeat(np.arange(len(supports)), [len(support.uses) for support in supports])
+    found = features([evidence.goal], supports, np.zeros_like(numbers), numbers, evidence.situation)
+    cast = [(support.probability, use) for support in supports for use in support.uses]
+    for row, (probability, use) in zip(found.tolist(), cast, strict=True):
+        yield Vote(tuple(row), probability, use.demonstration)
 
 
-_LARGE = 6
+def features(
+    goals: Iterable[Goal],
+    supports: Sequence[Support],
+    goals_of: NDArray[np.int64],
+    support_of: NDArray[np.int64],
+    situation: Situation,
+) -> NDArray[np.float64]:
+    """The features of votes (votes x ``NAMES``), given the numbers of their goals and supports."""
+    found = np.empty((len(support_of), len(NAMES)))
+    if len(support_of):
+        found[:, OF_GOAL] = np.array([_of_goal(goal, situation) for goal in goals])[goals_of]
+        found[:, OF_SUPPORT] = np.array([_of_support(s, situation) for s in supports])[support_of]
+        found[:, OF_VOTE] = np.array(_of_votes(supports, situation)).reshape(-1, len(OF_VOTE))
+    return found
 
 
-@lru_cache(maxsize=65_536)
-def _other_things(hypothesis: tuple[Literal, ...]) -> float:
-    about = [any(word.startswith("<") for word in fluent.args) for fluent, _ in hypothesis]
-    return sum(about) / len(about)
+def _of_goal(goal: Goal, situation: Situation) -> tuple[float, float, float]:
+    held = negative = 0
+    for fluent, positive in goal:
+        held += (fluent in situation.state) == positive
+        negative += not positive
+    count = len(goal)
+    return held / count, min(count, _LARGE) / _LARGE, negative / count
+
+
+def _of_support(support: Support, situation: Situation) -> tuple[float, bool, bool, bool]:
+    frame, wanted = support.frame.key, situation.frame
+    own = frame.verb == wanted.verb, frame.arity == wanted.arity
+    return support.node.mould.about_others, *own, support.replaced
+
+
+def _of_votes(supports: Sequence[Support], situation: Situation) -> list[float]:
+    """Each vote's own features, vote after vote."""
+    found: list[float] = []
+    said: dict[int, tuple[float, float]] = {}  # by identity: a demonstration takes long to hash
+    for support in supports:
+        for demonstration, _, whole, least, confirmed in support.uses:
+            phrases = said.get(id(demonstration))
+            if phrases is None:
+                phrases = _phrases(situation.phrases, demonstration.phrases)
+                said[id(demonstration)] = phrases
+            objects = _objects(situation, support.arguments, demonstration.grounding)
+            found += (*phrases, least, whole, confirmed, *objects)
+    return found
 
 
 @lru_cache(maxsize=65_536)
@@ -88,16 +126,17 @@ def _overlap(one: str, other: str) -> float:
     return len(words & others) / union if union else 1.0
 
 
-def _objects(situation: Situation, support: Support, use: Use) -> tuple[float, float]:
+def _objects(
+    situation: Situation, arguments: tuple[str | None, ...], old: tuple[str, ...]
+) -> tuple[float, float]:
     """How many arguments are the demonstration's own, and how alike they are, on average.
 
     Of an argument that the hypothesis does not speak of, the belief's mean.
     """
-    old = use.demonstration.grounding
-    key = support.arguments, old
+    key = arguments, old
     known = situation.likenesses.get(key)
     if known is None:
-        known = situation.likenesses[key] = _compared(situation, *key)
+        known = situation.likenesses[key] = _compared(situation, arguments, old)
     return known
 
 

@@ -82,15 +82,25 @@ def lift(
 
     Two noun phrases with the same object share the first one's variable.
     """
+    own = frozenset(grounding)
+    words = {word for literal in goal for word in literal.fluent.args}
+    others = sorted(w for w in words if w in surroundings.affordances and w not in own)
+    labels = tuple([(o, "+".join(sorted(surroundings.affordances[o]))) for o in others])
+    return _lifted(goal, tuple(grounding), labels)
+
+
+@lru_cache(maxsize=16_384)  # what one demonstration changed is seen again under other noise
+def _lifted(
+    goal: Goal, grounding: tuple[str, ...], labels: tuple[tuple[str, str], ...]
+) -> tuple[Lifted, Binding]:
+    """Abstract a goal whose things, beside the grounding's, have these labels."""
     names: dict[str, str] = {}
     for index, thing in enumerate(grounding):
         names.setdefault(thing, variable(index))
-    words = {word for literal in goal for word in literal.fluent.args}
-    others = sorted(w for w in words if w in surroundings.affordances and w not in names)
-    labels = {o: "+".join(sorted(surroundings.affordances[o])) for o in others}
-    names.update(_number(_canonical_order(tuple(rename(goal, names)), labels), labels))
+    order = _canonical_order(tuple(rename(goal, names)), dict(labels))
+    names.update(_number(order, dict(labels)))
     hypothesis = tuple(sorted(rename(goal, names)))
-    stands_for = {names[o]: o for o in others}
+    stands_for = {names[thing]: thing for thing, _ in labels}
     return hypothesis, tuple(stands_for[term] for term in sorted(stands_for))
 
 
@@ -101,7 +111,8 @@ class Mould:
     Places count through the things that fill abstract terms, then ``constants``,
     then the arguments; ``variables`` are the arguments needed. ``mixed``: a
     fluent must hold and one of the same predicate must not, so that the two
-    might come to be one.
+    might come to be one. ``about_others`` is the share of literals about a
+    thing that is no argument.
     """
 
     literals: tuple[tuple[str, tuple[int, ...], bool], ...]
@@ -109,6 +120,7 @@ class Mould:
     constants: tuple[str, ...]
     variables: frozenset[int]
     mixed: bool
+    about_others: float = 0.0
     _goals: dict[tuple[Sequence[str | None], Binding], Goal | None] = field(
         default_factory=dict, repr=False, compare=False
     )
@@ -160,7 +172,12 @@ def mould_of(hypothesis: Lifted) -> Mould:
         constants,
         variables,
         bool(predicates[0] & predicates[1]),
+        _share([any(map(is_abstract, fluent.args)) for fluent, _ in hypothesis]),
     )
+
+
+def _share(marks: Sequence[bool]) -> float:
+    return sum(marks) / len(marks) if marks else 0.0
 
 
 def bind(hypothesis: Lifted, arguments: Sequence[str | None], binding: Binding) -> Goal | None:

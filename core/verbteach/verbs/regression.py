@@ -10,7 +10,7 @@ the others. Each command weighs the same, however many goals it has.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import exp
 from operator import mul
@@ -20,16 +20,44 @@ import numpy as np
 from numpy.typing import NDArray
 
 from verbteach.verbs.application import Evidence
-from verbteach.verbs.features import NAMES, Vote, votes
+from verbteach.verbs.features import NAMES, votes
+from verbteach.verbs.poll import Poll
 
 _Array = NDArray[np.float64]
 
 
 class Judged(NamedTuple):
-    """A development vote with the SJI that its goal came to."""
+    """The votes of a development command with the SJI that their goals came to.
 
-    vote: Vote
-    reward: float
+    ``features`` are votes x ``NAMES``; ``voters`` are the demonstrations' ids.
+    """
+
+    features: _Array
+    probabilities: _Array
+    rewards: _Array
+    voters: tuple[str, ...]
+
+    @classmethod
+    def of(cls, poll: Poll, rewards: Mapping[int, float]) -> Judged:
+        """The votes for the goals with a reward, given by number, goal by goal in their order."""
+        place = np.full(len(poll.goals), len(rewards))
+        place[list(rewards)] = range(len(rewards))
+        places = place[poll.goals_of]
+        votes = np.argsort(places, kind="stable")[: np.count_nonzero(places < len(rewards))]
+        return cls(
+            poll.features[votes],
+            poll.chances[votes],
+            np.array(list(rewards.values()))[places[votes]],
+            tuple([poll.uses[vote].demonstration.id for vote in votes.tolist()]),
+        )
+
+    def among(self, voters: Container[str]) -> Judged:
+        """The votes of these demonstrations only."""
+        asked = [index for index, voter in enumerate(self.voters) if voter in voters]
+        if len(asked) == len(self.voters):
+            return self
+        own = tuple([self.voters[index] for index in asked])
+        return Judged(self.features[asked], self.probabilities[asked], self.rewards[asked], own)
 
 
 @dataclass(frozen=True)
@@ -52,6 +80,15 @@ class Regression:
         """The goal's votes, each with its weight."""
         return sum(v.probability * exp(_dot(self.weights, v.features)) for v in votes(evidence))
 
+    def tally(self, poll: Poll) -> _Array:
+        """Every goal's score; the same as ``score`` one by one."""
+        heights = np.zeros(len(poll.uses))
+        # Feature by feature, and the platform's exp: digits hang on no processor's vectors.
+        for weight, feature in zip(self.weights, poll.features.T, strict=True):
+            heights += weight * feature
+        counts = np.array([exp(height) for height in heights.tolist()])
+        return poll.by_goal(poll.chances * counts)
+
     def to_json(self) -> dict[str, Any]:
         """Plain JSON, weights by feature."""
         return {"weights": dict(zip(NAMES, self.weights, strict=True))}
@@ -65,14 +102,12 @@ class Regression:
         return cls(tuple(float(weights[name]) for name in NAMES))
 
 
-def fit(
-    commands: Sequence[Sequence[Judged]], parameters: FittingParameters | None = None
-) -> Regression:
+def fit(commands: Sequence[Judged], parameters: FittingParameters | None = None) -> Regression:
     """Fit to the votes of development commands, of goals that have a plan.
 
     Commands whose votes all came to the same say nothing and are left out.
     """
-    telling = [found for found in commands if len({judged.reward for judged in found}) > 1]
+    telling = [judged for judged in commands if len(set(judged.rewards.tolist())) > 1]
     if not telling:
         return Regression()
     weights = _Development(telling).ascend(parameters or FittingParameters())
@@ -82,13 +117,13 @@ def fit(
 class _Development:
     """The development votes as arrays; sums are numpy's own, so that threads change nothing."""
 
-    def __init__(self, commands: Sequence[Sequence[Judged]]) -> None:
-        rows = [judged for found in commands for judged in found]
-        self.features: _Array = np.array([judged.vote.features for judged in rows])
-        self.offsets: _Array = np.log([judged.vote.probability for judged in rows])
-        self.rewards: _Array = np.array([judged.reward for judged in rows])
-        self.starts = np.cumsum([0, *map(len, commands[:-1])])
-        self.lengths = np.array([len(found) for found in commands])
+    def __init__(self, commands: Sequence[Judged]) -> None:
+        self.features: _Array = np.concatenate([judged.features for judged in commands])
+        self.offsets: _Array = np.log(np.concatenate([j.probabilities for j in commands]))
+        self.rewards: _Array = np.concatenate([judged.rewards for judged in commands])
+        lengths = [len(judged.rewards) for judged in commands]
+        self.starts = np.cumsum([0, *lengths[:-1]])
+        self.lengths = np.array(lengths)
 
     def ascend(self, parameters: FittingParameters) -> _Array:
         """Adam's ascent from zero, a fixed number of steps."""

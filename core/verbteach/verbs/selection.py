@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
 from itertools import combinations
+from typing import Protocol, TypeVar
 
 from verbteach.verbs.agreement import agreement
 from verbteach.verbs.application import (
@@ -48,6 +49,23 @@ class SelectionParameters:
     application: ApplicationParameters = field(default_factory=ApplicationParameters)
     planned: int = 24
     pooling: Pooling = Pooling.SUM
+
+
+class Scored(Protocol):
+    """A goal with how much it is wanted."""
+
+    @property
+    def goal(self) -> Goal:
+        """What is to hold."""
+        ...
+
+    @property
+    def score(self) -> float:
+        """How much it is wanted."""
+        ...
+
+
+_W = TypeVar("_W", bound=Scored)
 
 
 @dataclass(frozen=True)
@@ -120,8 +138,19 @@ def select(
     ``wanted`` comes from ``candidates``. None where no goal has a plan, or all
     hold already.
     """
+    found = best_plan(wanted, state, planner, parameters)
+    return None if found is None else Selection(*found)
+
+
+def best_plan(
+    wanted: Sequence[_W],
+    state: State,
+    planner: Planner,
+    parameters: SelectionParameters | None = None,
+) -> tuple[_W, Plan, float] | None:
+    """As ``select``, of any scored goals: the best goal that the plan serves, it, and its score."""
     parameters = parameters or SelectionParameters()
-    served: dict[Plan, list[GoalCandidate]] = defaultdict(list)
+    served: dict[Plan, list[_W]] = defaultdict(list)
     for candidate in wanted[: parameters.planned]:
         answer = planner.plan(state, candidate.goal)
         if isinstance(answer, Plan) and answer.actions:
@@ -129,10 +158,10 @@ def select(
     scores = _pooled(served, parameters.pooling)
     # max keeps the first of equals, and plans were met in the candidates' order.
     best = max(served, key=lambda plan: scores[plan], default=None)
-    return None if best is None else Selection(served[best][0], best, scores[best])
+    return None if best is None else (served[best][0], best, scores[best])
 
 
-def _pooled(served: Mapping[Plan, Sequence[GoalCandidate]], pooling: Pooling) -> dict[Plan, float]:
+def _pooled(served: Mapping[Plan, Sequence[Scored]], pooling: Pooling) -> dict[Plan, float]:
     if pooling is Pooling.BEST:
         return {plan: found[0].score for plan, found in served.items()}
     sums = {plan: sum(one.score for one in found) for plan, found in served.items()}

@@ -8,12 +8,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from verbteach.collecting import without_collecting
 from verbteach.experiments.evaluation import Grounds, run_trials
 from verbteach.experiments.folds import Fold
 from verbteach.experiments.instance_split import InstanceSplit
 from verbteach.experiments.interactive_protocol import Config
 from verbteach.experiments.interactive_results import Checkpoint, Result, Taught, Tested
-from verbteach.experiments.jobs import Lesson, Setup, Trial
+from verbteach.experiments.jobs import Setup, Trial
+from verbteach.experiments.polling import Lesson, School
 from verbteach.experiments.she16 import VARIANTS
 from verbteach.experiments.sight import Sight
 from verbteach.perception.noise import NoiseModel
@@ -49,17 +51,18 @@ def demonstration_only(
     are lessons of the same learner with the same eyes, by instance; those that
     are learned now are added: a demonstration teaches the same among however many.
     """
-    split = InstanceSplit.of(instances, config)
+    split, school = InstanceSplit.of(instances, config), School()
 
     def tested(share: float) -> tuple[int, tuple[Tested, ...]]:
         lessons = split.lessons(share)
         folds = tuple(_folds(instances, lessons, config))
         cut = _Cut(folds, grounds.tasks, grounds.planner, tuple(instances))
-        trials = run_trials(cut, setup, config.run, known=known, sight=sight)
+        trials = run_trials(cut, setup, config.run, known=known, sight=sight, school=school)
         return len(lessons), tuple(_tested(one, config) for one in trials)
 
-    lessons, rows = tested(config.verb_share)
-    checkpoints = tuple(Checkpoint(*tested(share)) for share in config.checkpoints)
+    with without_collecting():
+        lessons, rows = tested(config.verb_share)
+        checkpoints = tuple(Checkpoint(*tested(share)) for share in config.checkpoints)
     return Result(rows, Taught(lessons, lessons, {}), {}, checkpoints)
 
 

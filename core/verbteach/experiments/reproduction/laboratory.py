@@ -11,7 +11,7 @@ from verbteach.experiments.groundings import Grounder
 from verbteach.experiments.instance_split import InstanceSplit
 from verbteach.experiments.interactive_bench import Bench
 from verbteach.experiments.interactive_protocol import Config, run
-from verbteach.experiments.jobs import Lesson
+from verbteach.experiments.polling import Lesson
 from verbteach.experiments.reproduction.demonstration_only import demonstration_only, setup_of
 from verbteach.experiments.reproduction.design import DEMONSTRATION_ONLY, PERFECT, Design
 from verbteach.experiments.reproduction.rows import Row, row_of
