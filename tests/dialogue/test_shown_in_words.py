@@ -52,6 +52,18 @@ def test_several_steps_in_one_line_are_watched_in_order() -> None:
     assert len(steps(pupil)) == 3
 
 
+def test_steps_need_no_mark_between_them_and_the_end_may_stand_behind() -> None:
+    pupil = asked("open the fridge")
+    turn = tell(pupil, acts.Say("go to fridge open it and i am done"))
+    assert turn.phase is Phase.READ_BACK
+    assert turn.reading == "moveto Fridge_1; open Fridge_1"
+
+
+def test_the_end_behind_a_step_that_cannot_be_done_ends_nothing() -> None:
+    pupil = asked("open the fridge")
+    assert tell(pupil, acts.Say("open the fridge, done")).phase is Phase.DEMONSTRATION
+
+
 def test_a_line_ends_at_the_step_that_cannot_be_done() -> None:
     pupil = asked()
     assert "not near the left burner" in said(

@@ -16,6 +16,7 @@ from verbteach.dialogue.speech import Speech
 from verbteach.language.distinguish import distinguish_by_looks
 from verbteach.language.first_person import first_person
 from verbteach.language.grammar import parse
+from verbteach.language.looking import is_mental
 from verbteach.language.looks import Looks
 from verbteach.language.morphology import listing
 from verbteach.language.refer import refer
@@ -99,6 +100,8 @@ def _how_to(draft: Draft, words: Words) -> str:
     frames = parse(" ".join(words), setting.lexicon, setting.vocabulary)
     if len(frames) != 1:
         return ""
+    if is_mental(frames[0]):
+        return ""
     verb = frames[0].verb
     if verb in draft.state.knowledge.verbs:
         return f'Yes, I have learned "{verb}": tell me to, and I do it.'
@@ -107,7 +110,7 @@ def _how_to(draft: Draft, words: Words) -> str:
 
 def _where(draft: Draft, words: Words) -> str:
     speech = _speech(draft)
-    words = words[:-1] if words[-1] in {"is", "are", "here", "there"} and words[1:] else words
+    words = words[:-1] if words[-1] in _AT_THE_END and words[1:] else words
     things = _things(draft, words, speech.looks)
     if not things:
         return f'I see nothing that I would call "{" ".join(words)}".'
@@ -188,14 +191,24 @@ def _contents(place: str, preposition: str, speech: Speech) -> str:
 def _how_it_is(draft: Draft, words: Words) -> str:
     """Whether a thing is so: "is the fridge open?", "is the mug on the table?"."""
     speech = _speech(draft)
-    spoken = tuple(thing for _, thing in reversed(draft.state.spoken))
-    facts = Facts(draft, speech.looks, spoken)
+    facts = Facts(draft, speech.looks, _spoken(draft))
     for end in range(len(words) - 1, 0, -1):
         found = dict.fromkeys(one.fluent for one in facts.about(words[:end], words[end:]))
         if found:
             told = [Literal(f, f in speech.looks.state) for f in [*found][:_MOST_TOLD]]
             return " ".join(_sentence(speech.words.describe(one)) for one in told)
     return ""
+
+
+def _spoken(draft: Draft) -> tuple[str, ...]:
+    """What "it" may be: of the last step, of the command, of the command before."""
+    before = [thing for _, thing in reversed(draft.state.spoken)]
+    episode = draft.state.episode
+    if episode is None:
+        return tuple(before)
+    shown = episode.demonstrated.actions if episode.demonstrated else ()
+    steps = [thing for step in reversed(shown) for thing in step.args]
+    return tuple(dict.fromkeys([*steps, *episode.best_objects, *before]))
 
 
 def _things(draft: Draft, words: Sequence[str], looks: Looks) -> list[str]:
@@ -212,6 +225,7 @@ def _sentence(said: str) -> str:
     return f"{told[:1].upper()}{told[1:]}."
 
 
+_AT_THE_END = word_set("is are here there left anywhere now be")
 _BEFORE = word_set("robot hey hi hello so ok okay well now and but")
 _ASKED = QUESTION_WORDS | {"if", "whether", "that"}
 _ABLE = frozenset({"can", "could"})
@@ -244,7 +258,9 @@ _TELL = phrase_list("""
 """)
 _WHERE = phrase_list("""
     where, see, if there is, whether there is,
-    where is, where are, where 's, where did you put, where do you see, do you see, can you see,
+    where did i put, where did i leave, where have i put, where can i find, where do i find,
+    where could i find, where could be, where might be, where is, where are, where 's,
+    where did you put, where do you see, do you see, can you see,
     is there, are there, do you know where, which is, where was, what about
 """)
 _WHAT_IS = phrase_list("what is, what 's, what are, what do you see, what can you see, what lies")
@@ -258,7 +274,7 @@ _FIND = phrase_list("""
 """)
 _TOWARDS = frozenset({"at", "to", "over", "out", "after", "closely", "inside"})
 _REQUESTS = frozenset(
-    {("can", "you"), ("could", "you"), ("will", "you"), ("would", "you"), ("do", "you")}
+    phrase_list("can you, could you, will you, would you, do you, let us, let 's")
 )
 _ANSWERS = (
     (_HOW_TO, _how_to),

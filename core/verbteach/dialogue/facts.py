@@ -38,6 +38,8 @@ _SWITCHED = pairs("open:on closed:off opened:on shut:off")
 """A tap is open where a fridge is; what cannot be open may be on."""
 _FULL = frozenset({("full", "of"), ("filled", "with"), ("containing",), ("contain",), ("with",)})
 _HOLD = word_set("hold holding have grasp grasping carry carrying take")
+_AWAY = frozenset({"out of", "off", "from", "outside"})
+"""What is out of the fridge is not in it."""
 _SEVERAL = frozenset({"all", "both", "every", "each"})
 _HANDS = frozenset({"hand", "hands"})
 
@@ -121,8 +123,11 @@ class Facts:
         if length and (rest := said[length:]):
             if preposition == "in" and not _HANDS.isdisjoint(rest):
                 yield from self._held(thing)
-            for other in self.things(rest):
-                yield from self._related(thing, preposition, other)
+            away = preposition in _AWAY
+            others = self.things(rest)
+            for other in (*others, *self._vessels(others)):
+                for fluent, holds in self._related(thing, preposition, other):
+                    yield fluent, holds != away
 
     def _state(self, thing: str, word: str) -> Iterator[tuple[Fluent, bool]]:
         """A state in a word or two: the first of its senses that the thing can be in."""
@@ -152,7 +157,7 @@ class Facts:
             return 1, "holding"
         for length in (3, 2, 1):
             named = " ".join(said[:length])
-            if named in self.looks.prepositions:
+            if named in self.looks.prepositions and named != "of":
                 return length, named
         return 0, ""
 
@@ -169,6 +174,8 @@ class Facts:
 
 
 def _stripped(said: Words) -> Words:
+    if said[:1] in (("have",), ("contain",)) and said[-2:] == ("in", "it"):
+        return ("with", *said[1:-2])
     while len(said) > 1 and said[0] in _PASSING:
         said = said[1:]
     while len(said) > 1 and said[-1] in _AFTERWARDS:

@@ -170,7 +170,8 @@ class StatementReader:
                 *((w, self.facts.about(w, statement.said)) for w in waiting),
                 (subjects, found),
             ]:
-                among = self._narrowed(literals, named) if statement.said else literals
+                whole = not statement.said or self.facts.several(words)
+                among = literals if whole else self._narrowed(literals, named)
                 chosen = among if self._settled(words, among, statement) else ()
                 if not chosen:
                     return Said(problem=self._which(among))
@@ -187,7 +188,7 @@ class StatementReader:
             if parted[1] or not earlier or statement.subject:
                 return parted
             return earlier, self.facts.about(earlier, said, positive=positive)
-        if not said:  # "the tap does not matter"
+        if not said or (not statement.needed and said[0] in _SOMEWHERE):
             how = How.WITH if statement.needed else How.WITHOUT
             things = self.facts.things(subject)
             found = _about(how, things, self.goal, self.whole)
@@ -216,6 +217,8 @@ class StatementReader:
         """Whether it is one, or several are spoken of."""
         changed = {one.fluent for one in self.whole}
         known = all(one.fluent in changed for one in among)
+        if subject[:1] == ("both",):
+            return len(among) == 2
         return len(among) == 1 or known or not statement.said or self.facts.several(subject)
 
     def _unread(self, statement: Statement) -> Said | None:
@@ -252,6 +255,7 @@ def spoken_of(draft: Draft, goal: Goal) -> tuple[str, ...]:
 
 _MOST = 4
 _UNREAD = 'I cannot tell what "{said}" means for {subject} here.'
+_SOMEWHERE = frozenset({"there", "anywhere", "here", "somewhere", "wherever"})
 _NO_SUBJECTS = QUESTION_WORDS | {"i", "we", "he", "she", "they", "there"}
 _NO_THING = 'I see nothing here that I would call "{}".'
 _THE = ("the ", "a ", "an ", "my ", "that ", "this ")

@@ -18,7 +18,7 @@ from verbteach.language.anaphora import resolve
 from verbteach.language.ellipsis import Ellipsis, applied, read_ellipsis
 from verbteach.language.frames import VerbFrame
 from verbteach.language.grammar import EMPTY_LEXICON, Unread, explain_unread, parse
-from verbteach.language.looking import asks_whether_able, is_looking, what_it_can
+from verbteach.language.looking import asks_whether_able, is_looking, is_mental, what_it_can
 from verbteach.language.small_talk import (
     Talk,
     asks_in_a_command,
@@ -92,7 +92,8 @@ def _clauses(draft: Draft, text: str) -> tuple[VerbFrame, ...]:
 
 def _a_question(draft: Draft, text: str, frames: tuple[VerbFrame, ...]) -> CommandReading | None:
     """What reads like a command and asks something: "can you fly?", "look at the fridge"."""
-    if asks_whether_able(text) and not _is_about_the_room(draft, frames):
+    mental = any(is_mental(frame) and not _is_known(draft, frame) for frame in frames)
+    if asks_whether_able(text) and (mental or not _is_about_the_room(draft, frames)):
         return _asking(draft, _UNREAD[Unread.QUESTION])
     if all(_only_looks(draft, frame) for frame in frames):
         return _asking(draft, _LOOK)
@@ -180,7 +181,11 @@ def _is_about_the_room(draft: Draft, frames: tuple[VerbFrame, ...]) -> bool:
 
 def _only_looks(draft: Draft, frame: VerbFrame) -> bool:
     """Whether it asks for no more than a look, unless that was taught as something to do."""
-    return is_looking(frame) and frame.verb not in draft.state.knowledge.verbs
+    return is_looking(frame) and not _is_known(draft, frame)
+
+
+def _is_known(draft: Draft, frame: VerbFrame) -> bool:
+    return frame.verb in draft.state.knowledge.verbs
 
 
 def _without_looking(draft: Draft, frames: tuple[VerbFrame, ...]) -> tuple[VerbFrame, ...]:

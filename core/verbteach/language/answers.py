@@ -70,7 +70,9 @@ _PRAISE = """
     's ok, it is okay, it 's okay, that is ok, that 's ok, that is okay, that 's okay, not bad, not
     bad at all, just right, as i wanted, that is what i wanted, that 's what i wanted, just what i
     wanted, all good, all right, alright, as it should be,
-    that is the goal, that 's the goal, that was lovely, that was wonderful, that was excellent,
+    that is the goal, that 's the goal, looks good, looks good to me,
+    that looks good, that looks right, looks right, seems right, that seems right, that was lovely,
+    that was wonderful, that was excellent,
     that was nice, that was very good, that was really good, that was brilliant, that was fantastic,
     that was awesome, that was amazing, that was fine, that was well done, that was ok,
     that is lovely, that is wonderful, that is excellent, that is nice, that is very good,

@@ -51,8 +51,8 @@ _BEFORE = _MARKS | word_set("but please oh well um uh so sorry robot hm")
 _ALL = frozenset(
     phrase_list("""
         everything, all, all of it, all of them, all of that, everything matters, keep everything,
-        all of it matters, everything is important, keep all of it, keep all, all of these, both,
-        everything counts, everything that changed, all that changed, keep them all, keep both,
+        all of it matters, everything is important, keep all of it, keep all, all of these,
+        everything counts, everything that changed, all that changed, keep them all,
         everything should hold, everything must hold, it all matters, all matters
     """)
 )
@@ -101,7 +101,7 @@ _PLACE = word_set("in on at from into onto of next")
 
 def read_goal_talk(text: str) -> GoalTalk | None:
     """How ``text`` speaks of a goal; ``None`` where no words are left besides a yes or a no."""
-    tokens = _behind(trimmed(tokenise(spelled_out(text)), _MARKS))
+    tokens = _behind(_before_thanks(tokenise(spelled_out(text))))
     said_no, tokens = _after(tokens, _NO)
     said_yes, tokens = _after(tokens, () if said_no else _YES)
     if not tokens:
@@ -143,6 +143,14 @@ def _without_tail(tokens: list[str], tails: Sequence[tuple[str, ...]]) -> list[s
         before = trimmed(tokens[: -len(tail)], _MARKS)
         if tuple(tokens[-len(tail) :]) == tail and before:
             return before
+    return tokens
+
+
+def _before_thanks(tokens: list[str]) -> list[str]:
+    """Without what is said for politeness at the end."""
+    tokens = trimmed(tokens, _MARKS)
+    while tokens[-1:] in (["please"], ["thanks"], ["robot"]):
+        tokens = trimmed(tokens[:-1], _MARKS)
     return tokens
 
 

@@ -17,6 +17,9 @@ _ABILITY = re.compile(
     r"|do you think (?:that )?you can|is it possible for you to)\s+(?P<rest>\S.*)",
     re.IGNORECASE | re.DOTALL,
 )
+_MENTAL = word_set(
+    "hear understand know remember feel smell taste believe like love think hate talk speak learn"
+)
 _ASKED_NICELY = re.compile(r"\b(?:please|pls|plz|kindly)\b|\bfor me\b", re.IGNORECASE)
 _LOOKING = word_set(
     "see look watch find seek locate spot search check inspect examine observe identify notice "
@@ -33,6 +36,11 @@ def what_it_can(text: str) -> str:
 def asks_whether_able(text: str) -> bool:
     """Whether it may ask what the robot can do: "can you fly?"; with a "please" it is a request."""
     return bool(what_it_can(text)) and _ASKED_NICELY.search(text) is None
+
+
+def is_mental(frame: VerbFrame) -> bool:
+    """Whether it is nothing that could be shown: "can you hear me?"."""
+    return frame.verb.split(" ")[0] in _MENTAL
 
 
 def is_looking(frame: VerbFrame) -> bool:

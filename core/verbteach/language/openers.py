@@ -44,6 +44,7 @@ _PATTERNS = {
         "be kind enough to",
         "are you able to",
         "is it possible for|- you|- to",
+        "would it be possible for|- you|- to",
         "i was wondering if|whether you could|can|would|might perhaps|maybe|possibly|-",
         "i wonder if|whether you could|can|would|might perhaps|maybe|possibly|-",
         "can|could|will|would you perhaps|maybe|possibly|kindly|quickly",

@@ -40,7 +40,7 @@ _LEADS = phrase_list("""
     make sure, be sure, see to it, that, it is important, it 's important, it matters,
     the goal is, my goal is, the point is, what i want is, what matters is, please, so, because,
     also, then, at the end, in the end, afterwards, after that, finally, actually, rather, instead,
-    only, just, both, really, robot, well, oh, sorry, no, yes, in my opinion, of course
+    only, just, really, robot, well, oh, sorry, no, yes, in my opinion, of course
 """)
 _TAILS = phrase_list("""
     please, too, also, as well, at the end, in the end, afterwards, after that, again, instead,

@@ -30,7 +30,7 @@ _LEADS = phrase_list("""
     at the end, next up, of course, if you do not mind, if you please, if you want,
     you will have to,
     you would have to, be so kind and, be so kind as to, what you do is, what you do now is,
-    then you, and then you, i want you to, now you, you just, please to, you must to, you need
+    i want you to, you just, please to, you must to, you need
 """)
 _AFTER = frozenset({COMMA, STOP}) | word_set("please now then thanks robot first again")
 
