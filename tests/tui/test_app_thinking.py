@@ -141,3 +141,5 @@ async def test_steps_and_done_in_one_line_end_the_demonstration(tmp_path: Path) 
     async with room(tmp_path) as here:
         await here.lines("open the fridge", "go to the fridge, open it, done")
         await here.until(lambda: here.phase == "read_back", here.dialogue)
+        await here.settle()
+        assert not here.teach.query_one("#line").has_focus, "keys answer what was asked"

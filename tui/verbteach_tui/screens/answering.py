@@ -141,10 +141,11 @@ class AnsweringScreen(SpeakingScreen):
 
         Until that is shown the line keeps the keys.
         """
-        if self._due is not None and not self.thinking:
-            act, self._due = self._due, None
+        act = self._due
+        if act is not None and not self.thinking:
+            self._due = None
             self.say(act, render(act), "key")
-        self.keeps_line = self.thinking
+        self.keeps_line = act is not None and self.thinking
 
     def _answers(self, character: str) -> bool:
         snapshot = self.snapshot
