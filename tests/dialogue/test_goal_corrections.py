@@ -109,3 +109,27 @@ def test_corrections_in_words_are_undone_and_replayed(tmp_path: Path) -> None:
     session.close()
     (record,) = tmp_path.iterdir()
     assert verify(record, SETTINGS).verified
+
+
+PUT = ("moveto Mug_2", "grasp Mug_2", "moveto Sink_1", "drop-in Mug_2 Sink_1")
+
+
+def test_the_command_said_anew_is_learned_with_the_goal_that_it_tells() -> None:
+    """What "put X in Y" asks for leads nowhere on a counter; the words say what is meant there."""
+    pupil = robot()
+    tell(pupil, acts.Command("put the blue mug in the sink"), *shown(*PUT), acts.Good())
+    tell(pupil, acts.Command("put the white plate in the sink"))
+    turn = said(pupil, "no, put it on the counter")
+    assert turn.phase is Phase.JUDGEMENT
+    assert turn.reading == "put the white plate on the counter"
+    assert Fluent.parse("(on Plate_1 Counter_1)") in pupil.state.world
+    tell(pupil, acts.Good(), acts.Command("put the blue plate on the counter"))
+    assert Fluent.parse("(on Plate_2 Counter_1)") in pupil.state.world
+
+
+def test_both_are_two_and_no_third_is_chosen() -> None:
+    pupil = taken()
+    assert "Which do you mean" in said(pupil, "no, both mugs should be in the sink").texts[0]
+    said(pupil, "no, both plates should be in the sink")
+    wanted = {Fluent.parse(f"(in {plate} Sink_1)") for plate in ("Plate_1", "Plate_2")}
+    assert wanted <= pupil.state.world
