@@ -19,7 +19,9 @@ from verbteach_tui.screens.home import HomeScreen
 from verbteach_tui.screens.lab import LabScreen
 from verbteach_tui.screens.teach import TeachScreen
 from verbteach_tui.screens.tour import TourScreen
+from verbteach_tui.views.rows import plain
 from verbteach_tui.widgets.foot import Foot
+from verbteach_tui.widgets.rows_view import RowsView
 
 
 @pytest.mark.parametrize(
@@ -90,6 +92,8 @@ async def test_a_letter_alone_is_a_key_after_a_moment_and_with_enter_at_once(
         assert not here.app.screen.query_one("#line").has_focus
         await here.pilot.press("h", "e", "l", "p", "enter")
         await here.until(lambda: isinstance(here.app.screen, HelpScreen))
+        told = here.app.screen.query_one("#help", RowsView).rows
+        assert any("Lab" in plain(row) for row in told), "help about the screen, not its line"
         await here.pilot.press("escape", "q", "enter")
         await here.until(lambda: not here.app.is_running)
 

@@ -174,7 +174,7 @@ class HomeScreen(Screen[None]):
         chooser = self.query_one(SceneChooser)
         meant = first_words(message.text, self._scenes())
         if isinstance(meant, Go):
-            chooser.take_focus()
+            self.set_focus(self.query_one("#scene-list"))  # at once: help speaks of what has it
             await self.app.run_action(meant.action, self)
         elif scene := meant.scene or chooser.highlighted:
             self.post_message(self.Wanted(OpenNew(scene, meant.command)))
