@@ -110,8 +110,8 @@ def _stated(draft: Draft, talk: GoalTalk, goal: Goal) -> Meant:
     groups = groupby(read_statements(talk.tokens), lambda one: _tells_to_do(draft, one))
     for tells, group in groups:
         listed = list(group)
-        if listed[0].loose and not talk.said_no:
-            return Meant()
+        if (listed[0].loose and not talk.said_no) or any(one.observed for one in listed):
+            return Meant()  # "the mug is dirty" only says what is to be seen
         said = _done(draft, listed, wanted) if tells else _said(reader, listed)
         if said is None or not (said.problem or said.needed):
             return Meant()

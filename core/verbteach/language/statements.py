@@ -21,12 +21,14 @@ class Statement(NamedTuple):
     """``said`` of ``subject``; without a verb between them both are in ``said``.
 
     ``positive``: it must hold, else it must not. ``needed``: it matters at all.
+    ``observed``: it may only say how things are, with a bare "is".
     """
 
     subject: Words
     said: Words
     positive: bool = True
     needed: bool = True
+    observed: bool = False
 
     @property
     def loose(self) -> bool:
@@ -65,13 +67,14 @@ _OPTIONAL = re.compile(
     rf"(?: to)?{_BE} (?P<said>.+)"
 )
 _NEEDED = re.compile(
-    r"(?P<subject>.+?) (?:should|must|(?:has|have|needs?|ought)(?: got)? to|needs|shall|will|would"
-    r"|(?:is|are|'s|was|were) (?:supposed|meant) to|(?:is|are|was|were) to|to be|is|are|'s"
+    r"(?P<subject>.+?) (?P<verb>should|must|(?:has|have|needs?|ought)(?: got)? to|needs|shall"
+    r"|will|would|(?:is|are|'s|was|were) (?:supposed|meant) to|(?:is|are|was|were) to|to be|is|are|'s"
     r"|belongs?|goes|stays?|remains?|has been|have been)"
     rf"{_NOT.format('no')}{_BE}{_NOT.format('never')} (?P<said>.+)"
 )
 
 
+_IS = frozenset({"is", "are", "'s"})
 _BARE = word_set("should must has needs belongs goes shall")
 """Of these the subject is often left out: "should be in the sink"."""
 
@@ -115,7 +118,10 @@ def _statement(words: Words) -> Statement:
         return Statement(_words(found["subject"]), ())
     if found := _NEEDED.fullmatch(text):
         denied = bool(found["no"]) != bool(found["never"])
-        return Statement(_words(found["subject"]), _words(found["said"]), not denied)
+        observed = found["verb"] in _IS
+        return Statement(
+            _words(found["subject"]), _words(found["said"]), not denied, observed=observed
+        )
     if words[:1] == ("not",):
         return Statement((), words[1:], positive=False)
     return Statement((), words)
