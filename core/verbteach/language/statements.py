@@ -68,8 +68,8 @@ _OPTIONAL = re.compile(
 )
 _NEEDED = re.compile(
     r"(?P<subject>.+?) (?P<verb>should|must|(?:has|have|needs?|ought)(?: got)? to|needs|shall"
-    r"|will|would|(?:is|are|'s|was|were) (?:supposed|meant) to|(?:is|are|was|were) to|to be|is|are|'s"
-    r"|belongs?|goes|stays?|remains?|has been|have been)"
+    r"|will|would|(?:is|are|'s|was|were) (?:supposed|meant) to|(?:is|are|was|were) to|to be"
+    r"|is|are|'s|belongs?|goes|stays?|remains?|has been|have been)"
     rf"{_NOT.format('no')}{_BE}{_NOT.format('never')} (?P<said>.+)"
 )
 
