@@ -6,6 +6,7 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -22,9 +23,10 @@ from verbteach.world.planner import (
     SearchPlanner,
     make_planner,
 )
+from verbteach.world.refinement import EncodedGoal, refined
 from verbteach.world.relaxed import RelaxedTask
 from verbteach.world.search import Exhausted, SearchLimits, Steps
-from verbteach.world.task import Task
+from verbteach.world.task import GroundAction, Task
 
 DOMAIN = kitchenette.domain()
 needs_numba = pytest.mark.skipif(not compiled.installed(), reason="the extra 'fast' is missing")
@@ -68,6 +70,51 @@ def test_the_problems_above_hold_plans_and_both_failures() -> None:
         answers += [fast.plan(*question) for question in asked]
     assert len({a.reason for a in answers if isinstance(a, PlanFailure)}) == 2
     assert max(len(a.actions) for a in answers if isinstance(a, Plan)) > 5
+
+
+def padded(task: Task, bits: int, plan: Plan, rng: np.random.Generator) -> list[GroundAction]:
+    """The plan with actions at random places, of which those stay that can be done."""
+    numbers = [ground.index for action in plan.actions if (ground := task.action(action))]
+    for extra in rng.integers(len(task.actions), size=12).tolist():
+        numbers.insert(int(rng.integers(len(numbers) + 1)), extra)
+    steps = []
+    for step in (task.actions[number] for number in numbers):
+        if step.applicable(bits):
+            steps.append(step)
+            bits = step.result(bits)
+    return steps
+
+
+def after(bits: int, steps: Sequence[GroundAction]) -> int:
+    for step in steps:
+        bits = step.result(bits)
+    return bits
+
+
+@needs_numba
+@pytest.mark.slow
+def test_padded_plans_are_refined_alike() -> None:
+    task, asked = problems((3, 2, 2, 2, 2), seed=3, number=60)
+    planner = make_planner(task, PlannerConfig(expansions=400), "compiled")
+    from verbteach.world import kernel
+
+    array = compiled.laid_out(kernel, task, RelaxedTask(task))
+    rng = np.random.default_rng(3)
+    changed = 0
+    for state, goal in asked:
+        answer, bits = planner.plan(state, goal), task.encode(state)
+        steps = padded(task, bits, answer, rng) if isinstance(answer, Plan) else []
+        masks = [sum(task.bit[x.fluent] for x in goal if x.positive is p) for p in (True, False)]
+        wanted = EncodedGoal(*masks)
+        if not steps or not wanted.holds(after(bits, steps)):
+            continue
+        numbers = np.array([step.index for step in steps])
+        row = compiled.state_row(bits, compiled.words(task))
+        goal_numbers = np.array(RelaxedTask(task).propositions(goal))
+        plain = [step.index for step in refined(bits, steps, wanted)]
+        assert kernel.refined(array, row, numbers, goal_numbers).tolist() == plain
+        changed += plain != numbers.tolist()
+    assert changed > 10
 
 
 @needs_numba

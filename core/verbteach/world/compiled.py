@@ -66,13 +66,12 @@ class CompiledEngine:
                 else "numba is not installed: the extra 'fast' brings it"
             )
         self._kernel = _kernel
-        self._task = _laid_out(_kernel, task, relaxed)
-        self._words = len(task.fluents) // 64 + 1
+        self._task = laid_out(_kernel, task, relaxed)
+        self._words = words(task)
         self._spare: list[Any] = []
 
     def search(self, bits: int, goal: Sequence[int], limits: SearchLimits) -> Steps | Exhausted:
-        """Return action numbers that lead from ``bits`` to the goal, or why there are none."""
-        row = np.frombuffer(bits.to_bytes(8 * self._words, "little"), dtype="<u8")
+        """Return the actions of a refined plan from ``bits`` to the goal, or why there is none."""
         try:
             scratch = self._spare.pop()
         except IndexError:  # the first search, or another thread is searching
@@ -80,7 +79,7 @@ class CompiledEngine:
         end, steps = self._kernel.search(
             self._task,
             scratch,
-            row.astype(np.uint64),  # a copy: compiled code is for arrays that can be written
+            state_row(bits, self._words),
             np.array(goal, dtype=np.int64),
             np.array((limits.expansions, limits.boost), dtype=np.int64),
         )
@@ -90,17 +89,28 @@ class CompiledEngine:
         return Exhausted(bound=bool(end == self._kernel.BOUND))
 
 
+def words(task: Task) -> int:
+    """How many words a state's row has."""
+    return len(task.fluents) // 64 + 1
+
+
+def state_row(bits: int, size: int) -> npt.NDArray[np.uint64]:
+    """A state as a row of that many words."""
+    row = np.frombuffer(bits.to_bytes(8 * size, "little"), dtype="<u8")
+    return row.astype(np.uint64)  # a copy: compiled code is for arrays that can be written
+
+
 def _search_once(kernel: ModuleType) -> None:
     """Make the compiler do its work, on arrays of the very types that are used later."""
     task = Task(Domain("nothing", {}, {}, {}, {}), {}, frozenset())
-    laid_out = _laid_out(kernel, task, RelaxedTask(task))
-    scratch = kernel.scratch(laid_out)
+    array = laid_out(kernel, task, RelaxedTask(task))
+    scratch = kernel.scratch(array)
     kernel.search(
-        laid_out, scratch, np.zeros(1, np.uint64), np.zeros(0, np.int64), np.ones(2, np.int64)
+        array, scratch, np.zeros(1, np.uint64), np.zeros(0, np.int64), np.ones(2, np.int64)
     )
 
 
-def _laid_out(kernel: ModuleType, task: Task, relaxed: RelaxedTask) -> npt.NDArray[np.int64]:
+def laid_out(kernel: ModuleType, task: Task, relaxed: RelaxedTask) -> npt.NDArray[np.int64]:
     """Lay the task and its relaxation out as ``kernel`` wants them."""
     size = relaxed.size
     effects = [_effects(action) for action in task.actions]

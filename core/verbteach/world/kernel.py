@@ -1,7 +1,7 @@
-"""The search and its heuristic once more, over flat arrays, for numba to compile.
+"""Search, heuristic and refinement once more, over flat arrays, for numba to compile.
 
 Importing this module imports numba: only ``compiled`` does, when asked to. It
-mirrors ``search`` and ``relaxed`` step for step and breaks every tie alike,
+mirrors ``search``, ``relaxed`` and ``refinement`` step for step and breaks every tie alike,
 so the plans are the same; the tests hold the two against each other.
 
 Few arrays are passed around, because compiled code counts references to each
@@ -373,14 +373,20 @@ def _spell(t: Ints, s: Scratch, row: Words) -> None:
 
 
 @_compiled
+def _is_true(t: Ints, row: Words, proposition: int) -> bool:
+    """Whether a proposition is true in a state."""
+    positive = proposition < t[FLUENTS]
+    fluent = proposition if positive else proposition - t[FLUENTS]
+    bit = (row[fluent >> 6] >> np.uint64(fluent & 63)) & np.uint64(1)
+    return bool((bit == np.uint64(1)) == positive)
+
+
+@_compiled
 def _all_hold(t: Ints, row: Words, table: int, number: int) -> bool:
     """Whether every proposition of a list is true in a state."""
-    fluents = t[FLUENTS]
     first, last = _span(t, table, number)
-    for i in range(first, last):
-        fluent = t[i] if t[i] < fluents else t[i] - fluents
-        bit = (row[fluent >> 6] >> np.uint64(fluent & 63)) & np.uint64(1)
-        if (bit == np.uint64(1)) != (t[i] < fluents):
+    for i in range(first, last):  # noqa: SIM110 - numba compiles a loop
+        if not _is_true(t, row, t[i]):
             return False
     return True
 
@@ -494,6 +500,189 @@ def _next_of(t: Ints, seen: Seen, parent: int, judged: int) -> int:
     return -1
 
 
+class Draft(NamedTuple):
+    """A plan being refined: its steps and the states before each, and room to try others.
+
+    ``rows`` has two rows more than states, ``linked`` says by use and maker
+    which step was the last to bring about what another one needs.
+    """
+
+    steps: Ints
+    tried: Ints
+    rows: Words
+    linked: Bytes
+
+
+@_compiled
+def _draft(start: Words, steps: Ints) -> Draft:
+    length = len(steps)
+    rows = np.zeros((length + 3, len(start)), np.uint64)
+    rows[0] = start
+    linked = np.zeros((length, length), np.uint8)
+    return Draft(steps.copy(), steps.copy(), rows, linked)
+
+
+@_compiled
+def _is_met(t: Ints, row: Words, goal: Ints) -> bool:
+    """Whether every proposition wanted is true in a state."""
+    for proposition in goal:  # noqa: SIM110 - numba compiles a loop
+        if not _is_true(t, row, proposition):
+            return False
+    return True
+
+
+@_compiled
+def _without(t: Ints, d: Draft, left_out: int, length: int, goal: Ints) -> int:
+    """Try a plan without a step and what can then not be done.
+
+    Return how many of the later steps are left, or -1 where the goal is lost.
+    """
+    here, there = len(d.rows) - 2, len(d.rows) - 1
+    d.rows[here] = d.rows[left_out]
+    left = 0
+    for i in range(left_out + 1, length):
+        step = d.steps[i]
+        if _all_hold(t, d.rows[here], ACTION_NEEDS, step):
+            _apply(t, step, d.rows[here], d.rows[there])
+            here, there = there, here
+            d.tried[left] = step
+            left += 1
+    return left if _is_met(t, d.rows[here], goal) else -1
+
+
+@_compiled
+def _without_needless(t: Ints, d: Draft, goal: Ints) -> int:
+    """Drop needless steps, as ``refinement.without_needless`` does; return how many are left."""
+    length, position = len(d.steps), 0
+    while position < length:
+        left = _without(t, d, position, length, goal)
+        if left < 0:
+            _apply(t, d.steps[position], d.rows[position], d.rows[position + 1])
+            position += 1
+        else:
+            d.steps[position : position + left] = d.tried[:left]
+            length, position = position + left, 0
+    return length
+
+
+@_compiled
+def _runs(t: Ints, d: Draft, steps: Ints, length: int, goal: Ints) -> bool:
+    """Write the states that steps lead through; return whether all can be done, to the goal."""
+    for i in range(length):
+        if not _all_hold(t, d.rows[i], ACTION_NEEDS, steps[i]):
+            return False
+        _apply(t, steps[i], d.rows[i], d.rows[i + 1])
+    return _is_met(t, d.rows[length], goal)
+
+
+@_compiled
+def _link_needs(t: Ints, d: Draft, table: int, number: int, use: int) -> None:
+    """Link a step with the last makers of what a list says that it needs."""
+    first, last = _span(t, table, number)
+    for i in range(first, last):
+        for maker in range(use - 1, -1, -1):
+            held = _is_true(t, d.rows[maker], t[i])
+            if not held and _is_true(t, d.rows[maker + 1], t[i]):
+                d.linked[use, maker] = 1
+                break
+
+
+@_compiled
+def _link_steps(t: Ints, d: Draft, length: int) -> None:
+    """Find the last makers of everything needed; the states must be those of the steps."""
+    d.linked[:] = 0
+    for use in range(length):
+        _link_needs(t, d, ACTION_NEEDS, d.steps[use], use)
+        first, last = _span(t, EFFECTS, d.steps[use])
+        for i in range(first, last):
+            if _all_hold(t, d.rows[use], EFFECT_NEEDS, t[i]):
+                _link_needs(t, d, EFFECT_NEEDS, t[i], use)
+
+
+@_compiled
+def _deepest_maker(d: Draft, step: int, depth: Ints) -> int:
+    """The step with the longest chain that serves a step and is not yet in the order, or -1."""
+    best = -1
+    for maker in range(step):
+        if d.linked[step, maker] and depth[maker] > 0 and (best < 0 or depth[maker] > depth[best]):
+            best = maker
+    return best
+
+
+@_compiled
+def _chained(d: Draft, length: int) -> bool:
+    """Try the order of ``refinement``'s chains; return whether it differs from the steps'."""
+    depth = np.zeros(length, np.int64)  # and 0 for a step that is in the order
+    for step in range(length):
+        depth[step] = 1
+        for maker in range(step):
+            if d.linked[step, maker]:
+                depth[step] = max(depth[step], depth[maker] + 1)
+    stack = np.zeros(length + 1, np.int64)
+    placed, differs = 0, False
+    for step in range(length):
+        if d.linked[step + 1 : length, step].any():
+            continue
+        height, stack[0] = 1, step
+        while height:
+            top = stack[height - 1]
+            maker = _deepest_maker(d, top, depth)
+            if maker >= 0:
+                stack[height] = maker
+                height += 1
+                continue
+            height -= 1
+            depth[top] = 0
+            differs = differs or top != placed
+            d.tried[placed] = d.steps[top]
+            placed += 1
+    return differs
+
+
+@_compiled
+def _first_use(d: Draft, step: int, length: int) -> int:
+    """The first step that needs what a step brings about; 0 where none does or it needs others."""
+    if d.linked[step, :step].any():
+        return 0
+    for use in range(step + 1, length):
+        if d.linked[use, step]:
+            return use
+    return 0
+
+
+@_compiled
+def _gather_steps(t: Ints, d: Draft, length: int, goal: Ints) -> None:
+    """Move each step that needs nothing from the plan to just before its first use, last first."""
+    for step in range(length - 2, -1, -1):
+        first = _first_use(d, step, length)
+        if first <= step + 1:
+            continue
+        d.tried[:length] = d.steps[:length]
+        d.tried[step : first - 1] = d.steps[step + 1 : first]
+        d.tried[first - 1] = d.steps[step]
+        if _runs(t, d, d.tried, length, goal):
+            d.steps[:length] = d.tried[:length]
+        else:
+            _runs(t, d, d.steps, length, goal)
+        _link_steps(t, d, length)
+
+
+@_compiled
+def refined(t: Ints, start: Words, steps: Ints, goal: Ints) -> Ints:
+    """Refine a plan as ``refinement.refined`` does; return its actions."""
+    d = _draft(start, steps)
+    length = _without_needless(t, d, goal)
+    if length < 3:
+        return d.steps[:length]
+    _link_steps(t, d, length)
+    if _chained(d, length):
+        if _runs(t, d, d.tried, length, goal):
+            return d.tried[:length]
+        _runs(t, d, d.steps, length, goal)
+        _gather_steps(t, d, length, goal)
+    return d.steps[:length]
+
+
 class Queues(NamedTuple):
     """Children along preferred actions, all parents, and how often each queue was served."""
 
@@ -525,7 +714,7 @@ def _next_child(t: Ints, seen: Seen, queues: Queues, judged: int) -> tuple[int, 
 
 @_compiled
 def search(t: Ints, s: Scratch, start: Words, goal: Ints, limits: Ints) -> tuple[int, Ints]:
-    """Search as ``search.search`` does; return how it ended and the actions found.
+    """Search as ``search.search`` does; return how it ended and the plan, refined.
 
     ``limits`` are the bound of expansions and what progress earns.
     """
@@ -543,7 +732,8 @@ def search(t: Ints, s: Scratch, start: Words, goal: Ints, limits: Ints) -> tuple
         _spell(t, s, seen.rows[judged])
         distance, count = _estimate(t, s, goal, chosen)
         if distance == 0:
-            return SOLVED, _path(seen.parents, seen.via, judged)
+            steps = _path(seen.parents, seen.via, judged)
+            return SOLVED, refined(t, start, steps, goal)
         if distance < 0 and judged == 0:
             return EXHAUSTED, np.zeros(0, np.int64)
         if distance > 0:

@@ -42,10 +42,10 @@ class PlannerConfig:
 
 
 class Engine(Protocol):
-    """A way to search a task: the plain one here, or the compiled one."""
+    """A way to search a task and refine what is found: the plain one here, or the compiled one."""
 
     def search(self, bits: int, goal: tuple[int, ...], limits: SearchLimits) -> Steps | Exhausted:
-        """Return action numbers that lead from ``bits`` to the goal, or why there are none."""
+        """Return the actions of a refined plan from ``bits`` to the goal, or why there is none."""
         ...
 
 
@@ -57,8 +57,16 @@ class PlainEngine:
         self.relaxed = relaxed
 
     def search(self, bits: int, goal: tuple[int, ...], limits: SearchLimits) -> Steps | Exhausted:
-        """Return action numbers that lead from ``bits`` to the goal, or why there are none."""
-        return search(self.task, self.relaxed, bits, goal, limits)
+        """Return the actions of a refined plan from ``bits`` to the goal, or why there is none."""
+        found = search(self.task, self.relaxed, bits, goal, limits)
+        if isinstance(found, Exhausted):
+            return found
+        actions, size = self.task.actions, self.relaxed.size
+        wanted = EncodedGoal(
+            sum(1 << number for number in goal if number < size),
+            sum(1 << number - size for number in goal if number >= size),
+        )
+        return tuple(step.index for step in refined(bits, [actions[i] for i in found], wanted))
 
 
 class AutoEngine:
@@ -74,7 +82,7 @@ class AutoEngine:
         self._compiled: compiled.CompiledEngine | None = None
 
     def search(self, bits: int, goal: tuple[int, ...], limits: SearchLimits) -> Steps | Exhausted:
-        """Return action numbers that lead from ``bits`` to the goal, or why there are none."""
+        """Return the actions of a refined plan from ``bits`` to the goal, or why there is none."""
         if self._compiled is None and compiled.available():
             self._compiled = compiled.CompiledEngine(self._plain.task, self._plain.relaxed)
         return (self._compiled or self._plain).search(bits, goal, limits)
@@ -161,8 +169,7 @@ class SearchPlanner:
         if isinstance(found, Exhausted):
             return self._contradiction(bits, wanted) or self._failure(bits, goal, found)
         actions = self.task.actions
-        steps = refined(bits, [actions[number] for number in found], wanted)
-        return Plan(tuple(step.action for step in steps))
+        return Plan(tuple([actions[number].action for number in found]))
 
     def _contradiction(self, bits: int, wanted: EncodedGoal) -> PlanFailure | None:
         """Say which two wanted fluents exclude each other, which no search would come to know.

@@ -30,10 +30,11 @@ def refined(bits: int, plan: Sequence[GroundAction], goal: EncodedGoal) -> list[
     kept = without_needless(bits, plan, goal)
     if len(kept) < 3:  # two steps have no other order worth trying
         return kept
-    chained = _chained(kept, _links(bits, kept))
-    if _runs(bits, chained, goal):
-        return chained
-    return _gathered(bits, kept, goal)
+    order = _chained(_links(bits, kept), len(kept))
+    if order == sorted(order):
+        return kept
+    chained = [kept[step] for step in order]
+    return chained if _runs(bits, chained, goal) else _gathered(bits, kept, goal)
 
 
 def without_needless(
@@ -80,24 +81,26 @@ def _gathered(bits: int, plan: list[GroundAction], goal: EncodedGoal) -> list[Gr
     return plan
 
 
-def _chained(plan: list[GroundAction], links: list[tuple[int, int]]) -> list[GroundAction]:
-    """Order the plan by what serves what: one purpose after another, its longest chain first.
+def _chained(links: Sequence[tuple[int, int]], length: int) -> list[int]:
+    """Order a plan's steps by what serves what: one purpose after another, longest chain first.
 
     Whether the order can be carried out is for the caller to see.
     """
-    makers: list[list[int]] = [[] for _ in plan]
+    makers: list[list[int]] = [[] for _ in range(length)]
+    serving_others = set()
     for maker, use in links:
         makers[use].append(maker)
+        serving_others.add(maker)
     depth: list[int] = []
     for serving in makers:
-        depth.append(1 + max((depth[maker] for maker in serving), default=0))
-    by_depth = [sorted(serving, key=lambda m: (-depth[m], m)) for serving in makers]
-    serving_others = {maker for maker, _ in links}
+        depth.append(1 + max([depth[maker] for maker in serving], default=0))
+        if len(serving) > 1:
+            serving.sort(key=lambda m: (-depth[m], m))
     order: list[int] = []
-    for step in range(len(plan)):
+    for step in range(length):
         if step not in serving_others:
-            _visit(step, by_depth, order)
-    return [plan[step] for step in order]
+            _visit(step, makers, order)
+    return order
 
 
 def _visit(step: int, makers: Sequence[Sequence[int]], order: list[int]) -> None:
@@ -112,18 +115,24 @@ def _links(bits: int, plan: Sequence[GroundAction]) -> list[tuple[int, int]]:
     """Pairs of steps (maker, use): the maker was the last to bring about what the use needs."""
     made: list[tuple[int, int]] = []
     found: list[tuple[int, int]] = []
+    ever_came = ever_went = 0
     for use, step in enumerate(plan):
         true, false = step.needs_true, step.needs_false
         for needs_true, needs_false, _, _ in step.conditional:
             if bits & needs_true == needs_true and not bits & needs_false:
                 true, false = true | needs_true, false | needs_false
+        true, false = true & ever_came, false & ever_went  # the rest nobody brought about
         for maker in range(use - 1, -1, -1):
+            if not true and not false:
+                break
             came, went = made[maker]
             if true & came or false & went:
                 found.append((maker, use))
                 true, false = true & ~came, false & ~went
         after = step.result(bits)
-        made.append((after & ~bits, bits & ~after))
+        came, went = after & ~bits, bits & ~after
+        made.append((came, went))
+        ever_came, ever_went = ever_came | came, ever_went | went
         bits = after
     return found
 
