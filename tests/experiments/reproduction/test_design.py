@@ -49,6 +49,16 @@ def test_table_4_has_every_policy_at_every_level_and_table_5_one_level() -> None
     assert not any(task.config.checkpoints for task in only)
 
 
+def test_who_can_be_stopped_is_followed_and_random_only_where_the_paper_has_it() -> None:
+    followed = {
+        (t.config.policy, t.config.noise)
+        for t in Design(NAMES, runs=1).sections()["main"]
+        if t.config.trace
+    }
+    everywhere = {(policy, noise) for policy in ("manual", "split") for noise in NOISES}
+    assert followed == everywhere | {("rl", "std3"), ("random", "std3")}
+
+
 def test_policies_of_a_run_share_everything_but_the_policy() -> None:
     for task in design().sections()["main"]:
         twin = next(

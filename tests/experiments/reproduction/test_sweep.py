@@ -73,6 +73,21 @@ def test_tasks_of_one_draw_of_the_noise_are_a_bundle() -> None:
     assert all(len(draw) == 1 for draw in draws)
 
 
+def test_whole_runs_come_first_and_in_a_run_what_takes_longest() -> None:
+    tasks = design(targets=("table4", "figure5")).sections()["main"]
+    draws: list[tuple[int, str]] = []
+
+    def noting(function: object, bundles: Sequence[Sequence[Task]], /) -> Iterator[Row]:
+        draws.extend((bundle[0].config.run, bundle[0].config.noise) for bundle in bundles)
+        return iter(())
+
+    with pytest.raises(KeyError):
+        sweep(tasks, quick, mapper=noting)
+    assert [run for run, _ in draws] == sorted(run for run, _ in draws)
+    assert [noise for run, noise in draws if run == 1][0] == "std3"
+    assert len(draws) == 8
+
+
 def test_a_row_that_nobody_asked_for_is_refused() -> None:
     def wrong(function: object, bundles: Sequence[Sequence[Task]], /) -> Iterator[Row]:
         return iter([rows()[TASKS[0].key]] * 2)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, TypeAlias
 
 from verbteach.experiments.figures import Figure, Observation, figure
@@ -70,7 +71,7 @@ class Stopped:
     rows: tuple[Row, ...]
     limit: float
 
-    @property
+    @cached_property
     def questions(self) -> float:
         """Mean questions asked per command, over runs."""
         means = [
@@ -95,20 +96,26 @@ def stopped_at(rows: Sequence[Row], limit: float) -> Stopped:
     return Stopped(tuple(rows), limit)
 
 
+def is_followed(rows: Sequence[Row]) -> bool:
+    """Whether the policy was asked on, so that it can be stopped."""
+    return all(command.trace for row in rows for command in row.commands)
+
+
 def asking(rows: Sequence[Row], questions: float) -> Stopped:
     """The rows with the limit at which so many questions are asked on average.
 
-    Where they never ask as many, there is no limit but the trace's end.
+    Where they never ask as many, there is no limit but the trace's end. Between
+    two whole limits the questions grow in proportion.
     """
     most = max(len(command.trace) - 1 for row in rows for command in row.commands)
-    low, high = 0.0, float(most)
-    if stopped_at(rows, high).questions <= questions:
-        return stopped_at(rows, high)
-    for _ in range(50):
-        middle = (low + high) / 2
-        enough = stopped_at(rows, middle).questions >= questions
-        low, high = (low, middle) if enough else (middle, high)
-    return stopped_at(rows, high)
+    fewer = stopped_at(rows, 0.0)
+    for limit in range(1, most + 1):
+        more = stopped_at(rows, float(limit))
+        if more.questions >= questions:
+            part = (questions - fewer.questions) / (more.questions - fewer.questions)
+            return stopped_at(rows, fewer.limit + max(0.0, part))
+        fewer = more
+    return fewer
 
 
 def _after(command: Command, limit: float, place: int) -> float:

@@ -8,7 +8,6 @@ workers nor the order of work changes one.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from itertools import groupby
 from typing import Protocol
 
 from verbteach.experiments.reproduction.rows import Row
@@ -49,9 +48,8 @@ def sweep(
     """
     wanted = {task.key: task for task in tasks}
     rows = {row.key: row for row in done if row.key in wanted}
-    left = sorted((task for key, task in wanted.items() if key not in rows), key=_draw)
-    bundles = [list(bundle) for _, bundle in groupby(left, key=_draw)]
-    for row in mapper(score, bundles):
+    left = [task for key, task in wanted.items() if key not in rows]
+    for row in mapper(score, _bundles(left)):
         if row.key not in wanted or row.key in rows:
             raise ValueError(f"the row {row.key} was not asked for, or came twice")
         rows[row.key] = row
@@ -60,7 +58,18 @@ def sweep(
     return {key: rows[key] for key in wanted}
 
 
-def _draw(task: Task) -> tuple[int, str, str]:
-    """What tells draws of the noise apart; whole runs come first."""
-    config = task.config
-    return config.run, config.reading, config.noise
+def _bundles(tasks: Sequence[Task]) -> list[list[Task]]:
+    """Tasks by the draw of the noise. Whole runs come first, and in a run what takes longest.
+
+    So that at the end no process is long at work when the others have none left.
+    """
+    draws: dict[tuple[int, str, str], list[Task]] = {}
+    for task in tasks:
+        config = task.config
+        draws.setdefault((config.run, config.reading, config.noise), []).append(task)
+    return [draws[draw] for draw in sorted(draws, key=lambda d: (d[0], -_tests(draws[d]), d))]
+
+
+def _tests(tasks: Sequence[Task]) -> int:
+    """How often the test commands are gone through."""
+    return sum(1 + len(task.config.checkpoints) for task in tasks)
