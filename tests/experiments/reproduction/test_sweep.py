@@ -84,7 +84,7 @@ def test_whole_runs_come_first_and_in_a_run_what_takes_longest() -> None:
     with pytest.raises(KeyError):
         sweep(tasks, quick, mapper=noting)
     assert [run for run, _ in draws] == sorted(run for run, _ in draws)
-    assert [noise for run, noise in draws if run == 1][0] == "std3"
+    assert next(noise for run, noise in draws if run == 1) == "std3"
     assert len(draws) == 8
 
 
