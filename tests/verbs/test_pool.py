@@ -176,7 +176,7 @@ def test_the_best_goal_has_the_highest_expected_jaccard_index_of_all_conjunction
 def test_the_gain_of_a_question_is_what_its_answers_bring_on_average() -> None:
     found = pool()
     for number in range(len(found.literals)):
-        chance = found.yes_chance(number)
+        [chance] = found.yes_chances([number])
         values = [
             float(found.answered(number, truth).decision.values.max()) for truth in (True, False)
         ]

@@ -85,11 +85,12 @@ class ExecutionInquiry:
         """*Grd*: the marginals of the joint groundings, given all that is known."""
         if self.pool.empty:
             return self.prior
-        weights: dict[str, dict[str, float]] = {phrase: {} for phrase in self.prior.names}
-        pairs = zip(self.pool.groundings, self.pool.referents.tolist(), strict=True)
-        for objects, chance in pairs:
-            for phrase, thing in zip(self.prior.names, objects, strict=True):
-                weights[phrase][thing] = weights[phrase].get(thing, 0.0) + chance
+        weights: dict[str, dict[str, float]] = {}
+        for phrase, meant in zip(self.prior.names, self.source.analogies.meant, strict=True):
+            chances = np.bincount(meant.number, self.pool.referents).tolist()
+            own = weights.setdefault(phrase, {})
+            for thing, chance in zip(meant.things, chances, strict=True):
+                own[thing] = own.get(thing, 0.0) + chance
         kept = GroundingBelief.of(weights)
         return GroundingBelief(kept.phrases, self.prior.settled)
 
@@ -154,18 +155,13 @@ class ExecutionInquiry:
         yield from self._environment_questions()
 
     def _grounding_gain(self, act: RobotAct) -> float:
-        groundings = self.pool.groundings
-        if isinstance(act, NpGrdYnq):
-            place = self.prior.names.index(act.np)
-            yes = np.array([objects[place] == act.object for objects in groundings])
-            return self.pool.grounding_gain((yes, ~yes))
+        if not isinstance(act, NpGrdYnq | NpGrdWhq):
+            return 0.0
+        meant = self.source.analogies.meant[self.prior.names.index(act.np)]
         if isinstance(act, NpGrdWhq):
-            place = self.prior.names.index(act.np)
-            meant = [objects[place] for objects in groundings]
-            things = sorted(set(meant))
-            parts = [np.array([one == thing for one in meant]) for thing in things]
-            return self.pool.grounding_gain(parts)
-        return 0.0
+            return self.pool.grounding_gain(meant.number, len(meant.things))
+        other = meant.number != meant.things.index(act.object)
+        return self.pool.grounding_gain(other.astype(np.int64), 2)
 
     def _environment_questions(self) -> Iterator[tuple[RobotAct, dict[str, float]]]:
         """Doubtful fluents that the plan to the best goal takes for granted.
@@ -202,7 +198,7 @@ class ExecutionInquiry:
         things = self.source.analogies.surroundings.affordances
         chances = self.pool.marginals
         wanted: dict[str, float] = {}
-        for number in np.flatnonzero(chances > 0.2).tolist():
+        for number in (chances > 0.2).nonzero()[0].tolist():
             chance = float(chances[number])
             for word in self.pool.literals[number].fluent.args:
                 if word in things:
@@ -212,8 +208,7 @@ class ExecutionInquiry:
     def _goal_questions(self, asking: dict[str, float]) -> Iterator[Candidate]:
         open_ones = self._open_literals()
         gains = _Gains(self.pool, tuple(open_ones))
-        for place, number in enumerate(open_ones):
-            chance = self.pool.yes_chance(number)
+        for place, chance in enumerate(self.pool.yes_chances(open_ones)):
             features = {
                 "goal_pred_ynq": 1.0,
                 "goal_pred_ynq.probability": chance,
@@ -221,16 +216,15 @@ class ExecutionInquiry:
                 **asking,
             }
             late = LateFeatures(features, partial(gains.of, place))
-            yield Candidate(GoalPredYnq(self.pool.literals[number]), late)
+            yield Candidate(GoalPredYnq(self.pool.literals[open_ones[place]]), late)
 
     def _open_literals(self) -> list[int]:
         """The numbers of the most doubtful literals that nothing was asked about."""
-        chances = self.pool.marginals
-        least = np.minimum(chances, 1.0 - chances)
+        least = self.pool.doubts
         done = {number for number, _ in self.pool.answers}
         asked = {act.literal for act in self.asked if isinstance(act, GoalPredYnq)}
         doubtful = int(np.count_nonzero(least > self.parameters.doubt))
-        order = np.argsort(-least, kind="stable")[:doubtful].tolist()
+        order = (-least).argsort(kind="stable")[:doubtful].tolist()
         literals = self.pool.literals
         left = (n for n in order if n not in done and literals[n] not in asked)
         return list(islice(left, self.parameters.goal_questions))
@@ -247,8 +241,7 @@ class ExecutionInquiry:
     @cached_property
     def _spread(self) -> float:
         """How many literals are in doubt, growing ever more slowly."""
-        chances = self.pool.marginals
-        return float(np.log1p(np.minimum(chances, 1.0 - chances).sum()))
+        return float(np.log1p(self.pool.doubts.sum()))
 
     def _selection(self) -> Candidate:
         value = self.pool.decision.value

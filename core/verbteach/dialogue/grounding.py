@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TypeAlias
 
 Distribution: TypeAlias = tuple[tuple[str, float], ...]
@@ -37,12 +38,16 @@ class GroundingBelief:
         return cls(tuple((phrase, _normalised(of)) for phrase, of in weights.items()))
 
     def __getitem__(self, phrase: str) -> Distribution:
-        return dict(self.phrases)[phrase]
+        return self._by_phrase[phrase]
 
-    @property
+    @cached_property
+    def _by_phrase(self) -> Mapping[str, Distribution]:
+        return dict(self.phrases)
+
+    @cached_property
     def names(self) -> tuple[str, ...]:
         """The noun phrases, in the order said."""
-        return tuple(phrase for phrase, _ in self.phrases)
+        return tuple([phrase for phrase, _ in self.phrases])
 
     @property
     def grounded(self) -> tuple[str, ...]:

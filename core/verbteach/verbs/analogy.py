@@ -71,11 +71,25 @@ class Gathered(NamedTuple):
     words: Floats
 
 
+class Meant(NamedTuple):
+    """What a noun phrase may mean: ``things``, and by joint grounding the number of its thing."""
+
+    things: tuple[str, ...]
+    number: Ints
+
+    @classmethod
+    def of(cls, things: Sequence[str]) -> Meant:
+        """From the phrase's object in each joint grounding."""
+        distinct = sorted(set(things))
+        place = {thing: number for number, thing in enumerate(distinct)}
+        return cls(tuple(distinct), np.array([place[thing] for thing in things], dtype=np.int64))
+
+
 class Analogies:
     """The bindings of one command in one room, made as they are asked for.
 
-    ``groundings`` are the joint groundings, an object for each noun phrase.
-    Literals are numbered in the order they turn up; nothing may hang on that order.
+    ``groundings`` are the joint groundings, an object for each noun phrase;
+    ``meant`` says by noun phrase which object it is in each of them. Literals are numbered in the order they turn up; nothing may hang on that order.
     """
 
     def __init__(
@@ -86,6 +100,7 @@ class Analogies:
         self.surroundings = surroundings
         self.literals: list[Literal] = []
         self._number: dict[Literal, int] = {}
+        self.meant = tuple(Meant.of(things) for things in zip(*self.groundings, strict=True))
         self._ways: dict[tuple[str, ...], list[_Way]] = {}
         self._of_goal: dict[Goal, list[int]] = {}
         self._transfers: dict[Pattern, Transfer] = {}
@@ -95,7 +110,7 @@ class Analogies:
     def gathered(self, memory: Memory, kernel: Kernel, most: int) -> Gathered:
         """Bind the ``most`` examples whose commands are most alike, ties in the memory's order."""
         scores = (self._table(memory) @ kernel.of_words)[memory.command_of]
-        chosen = np.argsort(-scores, kind="stable")[:most].tolist()
+        chosen = (-scores).argsort(kind="stable")[:most].tolist()
         known, patterns = self._transfers, memory.patterns
         found = []
         for i, score in zip(chosen, scores[chosen].tolist(), strict=True):
@@ -124,7 +139,7 @@ class Analogies:
         more = int(numbers.max(initial=-1)) + 1 - len(self._alike)
         if more > 0:
             self._alike = np.concatenate([self._alike, np.full((more, 4), np.nan)])
-        for place in np.flatnonzero(np.isnan(self._alike[numbers, 0])).tolist():
+        for place in np.isnan(self._alike[numbers, 0]).nonzero()[0].tolist():
             self._alike[numbers[place]] = likeness(self.said, memory.commands[place])
         return np.asarray(self._alike[numbers])
 
@@ -213,18 +228,17 @@ def _transfer(
 
 
 def _joined(found: Sequence[tuple[float, Transfer]]) -> Gathered:
-    sizes = np.array([transfer.rows for _, transfer in found], dtype=np.int64)
-    offsets = np.concatenate([np.zeros(1, np.int64), np.cumsum(sizes)])
-    scores = np.array([score for score, _ in found], dtype=np.float64)
-    parts = [transfer for _, transfer in found] or [NO_TRANSFER]
+    scores, parts = zip(*(found or [(0.0, NO_TRANSFER)]), strict=True)
+    sizes = np.array([part.rows for part in parts], dtype=np.int64)
+    offsets = sizes.cumsum() - sizes
     lengths = [len(part.row) for part in parts]
     return Gathered(
         np.concatenate([part.literals for part in parts]),
-        np.concatenate([part.row for part in parts]) + np.repeat(offsets[: len(parts)], lengths),
+        np.concatenate([part.row for part in parts]) + offsets.repeat(lengths),
         np.concatenate([part.grounding for part in parts]),
         np.concatenate([part.share for part in parts]),
         np.concatenate([part.alike for part in parts]),
-        np.repeat(scores, sizes),
+        np.array(scores, dtype=np.float64).repeat(sizes),
     )
 
 

@@ -47,13 +47,15 @@ class Decision:
     """The hypotheses that take part, the goals to choose from, and how alike they are.
 
     ``truths`` (kept x literals) have the probabilities ``chances``;
-    ``choices`` (choices x literals); ``shared`` and ``union`` count literals of
-    each choice with each truth; ``index`` are the truths' numbers in the pool.
+    ``choices`` (choices x literals); ``sizes`` count the literals of each truth,
+    ``shared`` and ``union`` those of each choice with each truth; ``index`` are
+    the truths' numbers in the pool.
     """
 
     truths: Singles
     chances: Floats
     choices: Singles
+    sizes: Singles
     shared: Singles
     union: Singles
     index: Ints
@@ -77,11 +79,6 @@ class Decision:
         return Edited(self.jaccard, _doubles(either), _doubles(both))
 
     @cached_property
-    def sizes(self) -> Singles:
-        """How many literals each truth has."""
-        return np.asarray(self.truths.sum(1))
-
-    @cached_property
     def _some(self) -> Singles:
         """The union, 1 where there is none: what shares nothing is not alike."""
         return np.maximum(self.union, 1)
@@ -94,12 +91,12 @@ class Decision:
     @cached_property
     def value(self) -> float:
         """That of the best."""
-        return float(self.values.max())
+        return float(self.values[self.order[0]])
 
     @cached_property
     def order(self) -> Ints:
         """The choices, the best first; ties in the choices' order."""
-        return np.argsort(-self.values, kind="stable")
+        return (-self.values).argsort(kind="stable")
 
 
 def _doubles(values: NDArray[np.floating[Any]]) -> Floats:

@@ -152,6 +152,11 @@ class GoalPool:
         return np.asarray(self.probabilities @ self.truths)
 
     @cached_property
+    def doubts(self) -> Floats:
+        """How doubtful each literal is: the lesser of its probability and what is left of 1."""
+        return np.minimum(self.marginals, 1.0 - self.marginals)
+
+    @cached_property
     def referents(self) -> Floats:
         """Each joint grounding's probability, given everything."""
         return _summed(self.grounding, self.supports, len(self.groundings))
@@ -160,16 +165,16 @@ class GoalPool:
     def decision(self) -> Decision:
         """The choice to make now."""
         order = (-self.probabilities).argsort(kind="stable")[: self.parameters.kept]
-        truths = self.truths[order]
-        chances = self.probabilities[order]
+        truths = self.truths.take(order, axis=0)
+        chances = self.probabilities.take(order)
         likely = self.marginals > self.parameters.floors
         singles = truths.astype(np.float32)
         first = truths[: self.parameters.choices]
         wanted = first if first.dtype == np.bool_ else first > 0.5
         choices = np.concatenate([wanted, likely]).astype(np.float32)
-        shared = choices @ singles.T
-        union = choices.sum(1)[:, None] + singles.sum(1) - shared
-        return Decision(singles, chances / chances.sum(), choices, shared, union, order)
+        shared, sizes = choices @ singles.T, np.add.reduce(singles, 1)
+        union = np.add.reduce(choices, 1)[:, None] + sizes - shared
+        return Decision(singles, chances / chances.sum(), choices, sizes, shared, union, order)
 
     def ranked_goals(self) -> Iterator[tuple[Goal, float]]:
         """The goals with their expected Jaccard index, the best first, without repeats."""
@@ -194,7 +199,8 @@ class GoalPool:
     def answered(self, literal: int, truth: bool) -> GoalPool:
         """The belief after the teacher said whether a literal should hold."""
         fit, reliability = self.parameters.fit, self.parameters.reliability
-        wanted = np.where(self.truths[:, literal] > 0.5, fit, 1.0 - fit)
+        held = self.truths[:, literal]
+        wanted = np.where(held if held.dtype == np.bool_ else held > 0.5, fit, 1.0 - fit)
         said = wanted * (reliability if truth else 1.0 - reliability)
         likely = said + (1.0 - wanted) * (1.0 - reliability if truth else reliability)
         settles = reliability >= self.parameters.edits_from
@@ -211,10 +217,11 @@ class GoalPool:
         """The belief under other probabilities of the joint groundings."""
         return replace(self, chances=chances)
 
-    def yes_chance(self, literal: int) -> float:
-        """The probability that the teacher will say yes to a literal."""
-        trust, chance = self.parameters.agreement, float(self.marginals[literal])
-        return chance * trust + (1.0 - chance) * (1.0 - trust)
+    def yes_chances(self, literals: Sequence[int]) -> list[float]:
+        """The probability that the teacher will say yes, for each of the literals."""
+        trust, chances = self.parameters.agreement, self.marginals[literals]
+        yes: list[float] = (chances * trust + (1.0 - chances) * (1.0 - trust)).tolist()
+        return yes
 
     def literal_gains(self, literals: Sequence[int]) -> Floats:
         """How much asking about each literal raises the expected Jaccard index of the best goal."""
@@ -227,14 +234,15 @@ class GoalPool:
         after_no = now.if_taken.expected(chosen, wanted, no)
         return np.asarray(after_yes.max(0) + after_no.max(0) - now.value)
 
-    def grounding_gain(self, parts: Sequence[Bools]) -> float:
-        """The same for a question that tells apart ``parts`` of the joint groundings."""
-        now = self.decision
-        values = []
-        for part in parts:
-            inside = self.supports * part[self.grounding]
-            mass = np.bincount(self.source, inside, minlength=len(self.truths))[now.index]
-            values.append(float((now.jaccard @ mass).max()))
+    def grounding_gain(self, part: Ints, parts: int) -> float:
+        """The same for a question that tells apart ``parts`` of the joint groundings.
+
+        ``part`` has the number of its part for each joint grounding.
+        """
+        now, size = self.decision, len(self.truths)
+        place = part[self.grounding] * size + self.source
+        mass = np.bincount(place, self.supports, minlength=parts * size).reshape(parts, size)
+        values = [float((now.jaccard @ one).max()) for one in mass.take(now.index, axis=1)]
         scale = float(self.probabilities[now.index].sum())
         return sum(values) / scale - now.value if scale > 0 else 0.0
 
@@ -288,7 +296,7 @@ class PoolSource:
         spoken_of[found.literals] = True
         literals = list(compress(self.analogies.literals, spoken_of.tolist()))
         bound = np.zeros((len(found.grounding), len(literals)), dtype=bool)
-        bound[found.row, (np.cumsum(spoken_of) - 1)[found.literals]] = True
+        bound[found.row, (spoken_of.cumsum() - 1)[found.literals]] = True
         held = held_things(state) if self.parameters.kernel.hand else ()
         if held:
             literals, bound, found = self._with_held(literals, bound, held)
@@ -349,7 +357,7 @@ class PoolSource:
         share_open = rows.sum(1) / np.maximum(wanted.sum(1), 1)
         about = speaking_of([literals[c] for c in order] if held else (), held)
         of_held = rows[:, about].any(1) if held else np.zeros(len(rows), dtype=bool)
-        alike = np.column_stack([found.alike, share_open, of_held])
+        alike = np.concatenate([found.alike, share_open[:, None], of_held[:, None]], axis=1)
         log = found.words + alike @ self.parameters.kernel.of_bindings
         weight = found.share * np.exp(log - (log.max() if len(log) else 0.0))
         return GoalPool(
