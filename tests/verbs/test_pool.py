@@ -213,8 +213,8 @@ def test_gains_are_what_counting_literals_by_hand_gives() -> None:
 
 def test_telling_groundings_apart_never_loses() -> None:
     found = pool()
-    parts = (np.array([True, False]), np.array([False, True]))
-    assert found.grounding_gain(parts) >= -1e-6
+    assert found.grounding_gain(np.array([0, 1]), 2) >= -1e-6
+    assert found.grounding_gain(np.array([0, 0]), 1) == pytest.approx(0.0, abs=1e-6)
 
 
 def test_other_verbs_speak_but_less() -> None:

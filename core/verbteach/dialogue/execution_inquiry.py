@@ -283,7 +283,7 @@ class _Gains:
         return {"ask.gain": self._values[place]}
 
 
-@lru_cache(maxsize=128)
+@lru_cache(maxsize=512)
 def _state(static: State, believed: State) -> State:
     """All that is taken for true: the same object each time, whose hash is then known."""
     return static | believed

@@ -89,7 +89,8 @@ class Analogies:
     """The bindings of one command in one room, made as they are asked for.
 
     ``groundings`` are the joint groundings, an object for each noun phrase;
-    ``meant`` says by noun phrase which object it is in each of them. Literals are numbered in the order they turn up; nothing may hang on that order.
+    ``meant`` says by noun phrase which object it is in each of them. Literals
+    are numbered in the order they turn up; nothing may hang on that order.
     """
 
     def __init__(

@@ -123,19 +123,21 @@ class SearchPlanner:
         self.relaxed = relaxed or RelaxedTask(task)
         self.engine = engine or PlainEngine(task, self.relaxed)
         self._answers: OrderedDict[tuple[int, Goal], Plan | PlanFailure] = OrderedDict()
+        self._open: set[Goal] = set()
         self._exclusions: Exclusions | None = None
         self._judged: tuple[int, dict[Literal, bool]] = (-1, {})
 
     def plan(self, state: State, goal: Goal) -> Plan | PlanFailure:
         """Plan from ``state`` to a state in which every literal of ``goal`` holds."""
-        open_goal = self._open_goal(state, goal)
+        open_goal = goal if goal in self._open else self._open_goal(state, goal)
         if isinstance(open_goal, PlanFailure):
             return open_goal
         bits = self.task.encode(state)
         key = (bits, open_goal)
-        if key in self._answers:
+        known = self._answers.get(key)
+        if known is not None:
             self._answers.move_to_end(key)
-            return self._answers[key]
+            return known
         answer = self._answers[key] = self._search(bits, open_goal)
         if len(self._answers) > self.config.remembered:
             self._answers.popitem(last=False)
@@ -151,7 +153,16 @@ class SearchPlanner:
         lost += [x for x in goal if not x.positive and Literal(x.fluent) in goal]
         if lost:
             return PlanFailure(FailureReason.UNREACHABLE, str(min(lost)))
-        return goal.difference(fixed) if fixed else goal  # the same goal has its hash already
+        if fixed:
+            return goal.difference(fixed)
+        self._remember_open(goal)
+        return goal
+
+    def _remember_open(self, goal: Goal) -> None:
+        """Remember a goal that is open in every state, as most are, whatever is fixed there."""
+        if len(self._open) >= self.config.remembered:
+            self._open.clear()
+        self._open.add(goal)
 
     def _is_settled(self, literal: Literal, state: State) -> bool:
         """Whether a literal holds that no action touches; static facts are the task's."""
