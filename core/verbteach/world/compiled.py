@@ -8,6 +8,7 @@ person's turn must never be the one to ask for it.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from importlib.util import find_spec
 from threading import Lock
 from types import ModuleType
@@ -69,6 +70,7 @@ class CompiledEngine:
         self._task = laid_out(_kernel, task, relaxed)
         self._words = words(task)
         self._spare: list[Any] = []
+        self._start = (0, state_row(0, self._words))
 
     def search(self, bits: int, goal: Sequence[int], limits: SearchLimits) -> Steps | Exhausted:
         """Return the actions of a refined plan from ``bits`` to the goal, or why there is none."""
@@ -79,14 +81,26 @@ class CompiledEngine:
         end, steps = self._kernel.search(
             self._task,
             scratch,
-            state_row(bits, self._words),
+            self._row(bits),
             np.array(goal, dtype=np.int64),
-            np.array((limits.expansions, limits.boost), dtype=np.int64),
+            _numbers_of(limits),
         )
         self._spare.append(scratch)
         if end == self._kernel.SOLVED:
             return tuple(steps.tolist())
         return Exhausted(bound=bool(end == self._kernel.BOUND))
+
+    def _row(self, bits: int) -> npt.NDArray[np.uint64]:
+        """The state as a row; the last one's is kept, since many goals are tried from a state."""
+        start = self._start  # held here: another thread may be searching from another state
+        if start[0] != bits:
+            start = self._start = (bits, state_row(bits, self._words))
+        return start[1]
+
+
+@lru_cache(maxsize=16)
+def _numbers_of(limits: SearchLimits) -> npt.NDArray[np.int64]:
+    return np.array((limits.expansions, limits.boost), dtype=np.int64)
 
 
 def words(task: Task) -> int:

@@ -5,7 +5,9 @@ mirrors ``search``, ``relaxed`` and ``refinement`` step for step and breaks ever
 so the plans are the same; the tests hold the two against each other.
 
 Few arrays are passed around, because compiled code counts references to each
-of them at each call. A task is one array of numbers, see ``task_array``. A state
+of them at each call: functions of the inner loops take those that they need,
+not the whole ``Scratch``, which took ten times as long. A task is one array of
+numbers, see ``task_array``. A state
 is a row of 64-bit words. Marks hold the number of the round that made them,
 so that scratch arrays need no clearing between estimates. It is one file,
 because compiled code on the disk is renewed only when its own file changes.
@@ -130,171 +132,178 @@ def _span(t: Ints, table: int, number: int) -> tuple[int, int]:
 
 
 @_compiled
-def _is_easy(t: Ints, s: Scratch, proposition: int) -> bool:
+def _is_easy(t: Ints, props: Ints, unmet: Ints, now: Ints, proposition: int) -> bool:
     """Whether an operator that can be done now makes the proposition true."""
-    if s.props[proposition, ASKED] != s.now[ROUND]:
-        s.props[proposition, ASKED] = s.now[ROUND]
-        s.props[proposition, EASY] = 0
+    if props[proposition, ASKED] != now[ROUND]:
+        props[proposition, ASKED] = now[ROUND]
+        props[proposition, EASY] = 0
         first, last = _span(t, ACHIEVERS, proposition)
         for i in range(first, last):
-            if s.unmet[t[i]] == 0:
-                s.props[proposition, EASY] = 1
+            if unmet[t[i]] == 0:
+                props[proposition, EASY] = 1
                 break
-    return bool(s.props[proposition, EASY] == 1)
+    return bool(props[proposition, EASY] == 1)
 
 
 @_compiled
-def _is_easy_operator(t: Ints, s: Scratch, operator: int) -> bool:
+def _is_easy_operator(
+    t: Ints, props: Ints, unmet: Ints, false: Bytes, now: Ints, operator: int
+) -> bool:
     """Whether everything the operator lacks can be made true at once."""
     first, last = _span(t, NEEDS, operator)
-    for i in range(first, last):  # noqa: SIM110 - numba compiles a loop
-        if s.false[t[i]] and not _is_easy(t, s, t[i]):
+    for i in range(first, last):
+        if false[t[i]] and not _is_easy(t, props, unmet, now, t[i]):
             return False
     return True
 
 
 @_compiled
-def _most_unmet(t: Ints, s: Scratch, proposition: int) -> int:
+def _most_unmet(
+    t: Ints, props: Ints, unmet: Ints, false: Bytes, now: Ints, proposition: int
+) -> int:
     """How much an achiever may lack and still be the cheapest."""
     first, last = _span(t, ACHIEVERS, proposition)
     if last - first < 2:
-        return int(s.unmet[t[first]]) if last > first else 0
-    most = 0
+        return int(unmet[t[first]]) if last > first else 0
+    most, least = 0, NEVER
     for i in range(first, last):
-        number = s.unmet[t[i]]
+        number = int(unmet[t[i]])
         if number == 0:  # it lacks nothing, so all that it lacks is easy
             return 0
         most = max(most, number)
-    for number in range(1, most + 1):
-        for i in range(first, last):
-            if s.unmet[t[i]] == number and _is_easy_operator(t, s, t[i]):
-                return number
-    return most
+        if number < least and _is_easy_operator(t, props, unmet, false, now, t[i]):
+            least = number
+    return min(least, most)
 
 
 @_compiled
-def _stack_need(s: Scratch, need: int) -> None:
+def _stack_need(props: Ints, stack: Ints, now: Ints, need: int) -> None:
     """Put a proposition on the stack of those to be made true, once."""
-    if s.props[need, STACKED] != s.now[ROUND]:
-        s.props[need, STACKED] = s.now[ROUND]
-        s.props[need, USERS] = 0
-        s.props[need, COST] = NEVER
-        s.stack[s.now[DEPTH]] = need
-        s.now[DEPTH] += 1
+    if props[need, STACKED] != now[ROUND]:
+        props[need, STACKED] = now[ROUND]
+        props[need, USERS] = 0
+        props[need, COST] = NEVER
+        stack[now[DEPTH]] = need
+        now[DEPTH] += 1
 
 
 @_compiled
-def _link(s: Scratch, item: int, following: int) -> int:
+def _link(edges: Ints, now: Ints, item: int, following: int) -> int:
     """Make an edge in front of another one; return its number."""
-    s.now[EDGES] += 1
-    edge = int(s.now[EDGES])
-    s.edges[edge, ITEM] = item
-    s.edges[edge, NEXT] = following
+    now[EDGES] += 1
+    edge = int(now[EDGES])
+    edges[edge, ITEM] = item
+    edges[edge, NEXT] = following
     return edge
 
 
 @_compiled
-def _enter(t: Ints, s: Scratch, operator: int, proposition: int) -> bool:
-    """Want an operator for a proposition; return whether it is new and lacks nothing."""
-    new = s.ops[operator, ENTERED] != s.now[ROUND]
-    if new:
-        s.ops[operator, ENTERED] = s.now[ROUND]
-        s.ops[operator, FEEDS] = 0
-        s.ops[operator, WAITING] = s.unmet[operator]
-        s.ops[operator, SPENT] = 1
-        first, last = _span(t, NEEDS, operator)
-        for i in range(first, last):
-            if s.false[t[i]]:
-                _stack_need(s, t[i])
-                s.props[t[i], USERS] = _link(s, operator, s.props[t[i], USERS])
-    s.ops[operator, FEEDS] = _link(s, proposition, s.ops[operator, FEEDS])
-    return bool(new and s.ops[operator, WAITING] == 0)
+def _enter(ops: Ints, unmet: Ints, now: Ints, operator: int) -> bool:
+    """Begin to want an operator; return whether it was not wanted before."""
+    if ops[operator, ENTERED] == now[ROUND]:
+        return False
+    ops[operator, ENTERED] = now[ROUND]
+    ops[operator, FEEDS] = 0
+    ops[operator, WAITING] = unmet[operator]
+    ops[operator, SPENT] = 1
+    return True
 
 
 @_compiled
 def _gather(t: Ints, s: Scratch) -> int:
     """Gather backwards what may make the stacked propositions true; return how many are ready."""
+    props, ops, edges, stack = s.props, s.ops, s.edges, s.stack
+    unmet, false, now = s.unmet, s.false, s.now
     ready = 0
-    while s.now[DEPTH] > 0:
-        s.now[DEPTH] -= 1
-        proposition = s.stack[s.now[DEPTH]]
-        most = _most_unmet(t, s, proposition)
+    while now[DEPTH] > 0:
+        now[DEPTH] -= 1
+        proposition = stack[now[DEPTH]]
+        most = _most_unmet(t, props, unmet, false, now, proposition)
         first, last = _span(t, ACHIEVERS, proposition)
         for i in range(first, last):
             operator = t[i]
-            if s.unmet[operator] > most:
+            if unmet[operator] > most:
                 continue
-            if _enter(t, s, operator, proposition):
-                s.ops[ready, READY] = operator
-                ready += 1
+            if _enter(ops, unmet, now, operator):
+                begin, end = _span(t, NEEDS, operator)
+                for j in range(begin, end):
+                    if false[t[j]]:
+                        _stack_need(props, stack, now, t[j])
+                        props[t[j], USERS] = _link(edges, now, operator, props[t[j], USERS])
+                if unmet[operator] == 0:
+                    ops[ready, READY] = operator
+                    ready += 1
+            ops[operator, FEEDS] = _link(edges, now, proposition, ops[operator, FEEDS])
             if most == 0 and last - first > 1:
                 break
     return ready
 
 
 @_compiled
-def _offer(s: Scratch, heap: list[int], operator: int) -> None:
+def _offer(props: Ints, ops: Ints, edges: Ints, heap: list[int], operator: int) -> None:
     """Offer an operator, all it waited for being settled, to what it is wanted for."""
-    price = s.ops[operator, SPENT]
-    edge = s.ops[operator, FEEDS]
+    price = ops[operator, SPENT]
+    edge = ops[operator, FEEDS]
     while edge:
-        proposition = s.edges[edge, ITEM]
-        edge = s.edges[edge, NEXT]
-        if price < s.props[proposition, COST]:
-            s.props[proposition, COST] = price
-            s.props[proposition, BEST] = operator
+        proposition = edges[edge, ITEM]
+        edge = edges[edge, NEXT]
+        if price < props[proposition, COST]:
+            props[proposition, COST] = price
+            props[proposition, BEST] = operator
             heappush(heap, (price << SHIFT) | proposition)
-        elif price == s.props[proposition, COST] and operator < s.props[proposition, BEST]:
-            s.props[proposition, BEST] = operator
+        elif price == props[proposition, COST] and operator < props[proposition, BEST]:
+            props[proposition, BEST] = operator
 
 
 @_compiled
 def _settle(s: Scratch, ready: int, left: int) -> bool:
     """Find the cheapest operators up to the wanted propositions; return whether all were met."""
+    props, ops, edges, now = s.props, s.ops, s.edges, s.now
     heap = [NEVER]
     heap.pop()
     for i in range(ready):
-        _offer(s, heap, s.ops[i, READY])
+        _offer(props, ops, edges, heap, ops[i, READY])
     while heap and left:
         key = heappop(heap)
         price, proposition = key >> SHIFT, key & MASK
-        if price > s.props[proposition, COST]:
+        if price > props[proposition, COST]:
             continue
-        if s.props[proposition, WANTED] == s.now[ROUND]:
+        if props[proposition, WANTED] == now[ROUND]:
             left -= 1
-        edge = s.props[proposition, USERS]
+        edge = props[proposition, USERS]
         while edge:
-            operator = s.edges[edge, ITEM]
-            edge = s.edges[edge, NEXT]
-            s.ops[operator, SPENT] += price
-            s.ops[operator, WAITING] -= 1
-            if s.ops[operator, WAITING] == 0:
-                _offer(s, heap, operator)
+            operator = edges[edge, ITEM]
+            edge = edges[edge, NEXT]
+            ops[operator, SPENT] += price
+            ops[operator, WAITING] -= 1
+            if ops[operator, WAITING] == 0:
+                _offer(props, ops, edges, heap, operator)
     return left == 0
 
 
 @_compiled
 def _follow(t: Ints, s: Scratch, depth: int, preferred: Ints) -> tuple[int, int]:
     """Follow best supporters back from the stack: the number of actions, and of preferred ones."""
+    props, ops, stack, unmet, false, now = s.props, s.ops, s.stack, s.unmet, s.false, s.now[ROUND]
     distance = 0
     count = 0
     while depth:
         depth -= 1
-        operator = s.props[s.stack[depth], BEST]
-        if s.ops[operator, FOLLOWED] == s.now[ROUND]:
+        operator = props[stack[depth], BEST]
+        if ops[operator, FOLLOWED] == now:
             continue
-        s.ops[operator, FOLLOWED] = s.now[ROUND]
+        ops[operator, FOLLOWED] = now
         action = t[_span(t, ACTOR, operator)[0]]
-        if s.ops[action, TAKEN] != s.now[ROUND]:
-            s.ops[action, TAKEN] = s.now[ROUND]
+        if ops[action, TAKEN] != now:
+            ops[action, TAKEN] = now
             distance += 1
-        if s.unmet[operator] == 0:
+        if unmet[operator] == 0:
             preferred[count] = action
             count += 1
         first, last = _span(t, NEEDS, operator)
         for i in range(first, last):
-            if s.false[t[i]]:
-                s.stack[depth] = t[i]
+            if false[t[i]]:
+                stack[depth] = t[i]
                 depth += 1
     return distance, count
 
@@ -307,7 +316,7 @@ def _estimate(t: Ints, s: Scratch, goal: Ints, preferred: Ints) -> tuple[int, in
     s.now[EDGES] = 0
     for proposition in goal:
         if s.false[proposition]:
-            _stack_need(s, proposition)
+            _stack_need(s.props, s.stack, s.now, proposition)
             s.props[proposition, WANTED] = s.now[ROUND]
     left = int(s.now[DEPTH])
     if left == 0:
@@ -491,11 +500,11 @@ def _reach(t: Ints, seen: Seen, parent: int, action: int, judged: int) -> bool:
 @_compiled
 def _next_of(t: Ints, seen: Seen, parent: int, judged: int) -> int:
     """Write the parent's next unseen child; return the action that leads there, or -1."""
-    while seen.upcoming[parent] < t[ACTIONS]:
-        action = int(seen.upcoming[parent])
-        seen.upcoming[parent] += 1
-        ready = _all_hold(t, seen.rows[parent], ACTION_NEEDS, action)
-        if ready and _reach(t, seen, parent, action, judged):
+    upcoming, here = seen.upcoming, seen.rows[parent]
+    while upcoming[parent] < t[ACTIONS]:
+        action = int(upcoming[parent])
+        upcoming[parent] += 1
+        if _all_hold(t, here, ACTION_NEEDS, action) and _reach(t, seen, parent, action, judged):
             return action
     return -1
 
