@@ -6,7 +6,7 @@ import pytest
 
 from tests.experiments.reproduction.small import BASE, design
 from verbteach.experiments.instance_split import InstanceSplit
-from verbteach.experiments.reproduction.design import NOISES, POLICIES, Design
+from verbteach.experiments.reproduction.design import MATCHED, NOISES, POLICIES, Design
 from verbteach.experiments.reproduction.rows import Row
 from verbteach.experiments.reproduction.task import Task
 
@@ -49,14 +49,14 @@ def test_table_4_has_every_policy_at_every_level_and_table_5_one_level() -> None
     assert not any(task.config.checkpoints for task in only)
 
 
-def test_who_can_be_stopped_is_followed_and_random_only_where_the_paper_has_it() -> None:
+def test_who_can_be_stopped_is_followed_and_the_learned_policy_where_curves_are_drawn() -> None:
     followed = {
         (t.config.policy, t.config.noise)
         for t in Design(NAMES, runs=1).sections()["main"]
         if t.config.trace
     }
-    everywhere = {(policy, noise) for policy in ("manual", "split") for noise in NOISES}
-    assert followed == everywhere | {("rl", "std3"), ("random", "std3")}
+    everywhere = {(policy, noise) for policy in MATCHED for noise in NOISES}
+    assert followed == everywhere | {("rl", "std3")}
 
 
 def test_policies_of_a_run_share_everything_but_the_policy() -> None:

@@ -11,7 +11,7 @@ from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 from verbteach.experiments.figures import Observation
-from verbteach.experiments.reproduction.curves import asking, is_followed
+from verbteach.experiments.reproduction.curves import asking
 from verbteach.experiments.reproduction.design import MATCHED
 from verbteach.experiments.reproduction.rows import Row
 from verbteach.experiments.reproduction.tables import EXECUTION_KINDS, LEARNING_KINDS, SCORES, cells
@@ -87,7 +87,7 @@ def matched_pairs(rows: Sequence[Row], policy: str = "rl") -> Iterator[Pair]:
     for (name, noise), mine in found.items():
         for other in MATCHED if name == policy else ():
             theirs = found.get((other, noise), [])
-            if theirs and is_followed(theirs):
+            if theirs:
                 stopped = asking(theirs, mean_questions(mine))
                 for value in SCORES:
                     own, others = _aligned(mine, theirs)

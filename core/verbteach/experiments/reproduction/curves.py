@@ -96,11 +96,6 @@ def stopped_at(rows: Sequence[Row], limit: float) -> Stopped:
     return Stopped(tuple(rows), limit)
 
 
-def is_followed(rows: Sequence[Row]) -> bool:
-    """Whether the policy was asked on, so that it can be stopped."""
-    return all(command.trace for row in rows for command in row.commands)
-
-
 def asking(rows: Sequence[Row], questions: float) -> Stopped:
     """The rows with the limit at which so many questions are asked on average.
 

@@ -20,11 +20,7 @@ POLICIES = ("rl", "manual", "random", "split", "she16", "she16-all")
 DEMONSTRATION_ONLY = ("she16", "she16-all")
 LEARNED = "rl"
 MATCHED = ("split", "manual", "random")
-"""The rules that are also compared at the mean number of questions of the learned policy.
-
-Random, which the paper has in Table 5 only, is at ``STUDIED`` alone: it draws
-its questions anew when it is asked on, so that following it costs twice.
-"""
+"""The rules that are also compared at the mean number of questions of the learned policy."""
 NOISES = ("perfect", "std3", "std5", "uniform")
 PERFECT = "perfect"
 STUDIED = "std3"
@@ -143,7 +139,7 @@ class Design:
             held_out=self.held_out(run),
             together=bool(self.apart) or self.folds == "groups",
             checkpoints=CHECKPOINTS if drawn else (),
-            trace=_followed(policy, noise),
+            trace=policy in MATCHED or (policy == LEARNED and noise == STUDIED),
         )
         return Task(config, self.about)
 
@@ -158,10 +154,3 @@ class Design:
         order = stream(self.seed, cycle, "held out").permutation(len(self.environments))
         part = np.array_split(order, groups)[turn]
         return tuple(self.environments[i] for i in sorted(part.tolist()))
-
-
-def _followed(policy: str, noise: str) -> bool:
-    """Whether the scores after each question are wanted."""
-    if noise == STUDIED:
-        return policy not in DEMONSTRATION_ONLY
-    return policy in MATCHED and policy != "random"

@@ -13,7 +13,7 @@ from verbteach.experiments.reproduction.comparisons import (
     table4_pairs,
     table5_pairs,
 )
-from verbteach.experiments.reproduction.curves import asking, figure5, is_followed, per_question
+from verbteach.experiments.reproduction.curves import asking, figure5, per_question
 from verbteach.experiments.reproduction.design import MATCHED, STUDIED, Design
 from verbteach.experiments.reproduction.rows import Row
 from verbteach.experiments.reproduction.tables import SCORES, Table, cells, table4, table5
@@ -78,7 +78,7 @@ def matched(rows: Sequence[Row], policy: str = "rl") -> Table:
     found: Table = {}
     for (name, noise), own in cells(rows).items():
         theirs = cells(rows).get((policy, noise), [])
-        if name in MATCHED and theirs and is_followed(own):
+        if name in MATCHED and theirs:
             stopped = asking(own, mean_questions(theirs))
             found.setdefault(name, {})[noise] = {
                 **{score: stopped.figure(score).to_json() for score in SCORES},
