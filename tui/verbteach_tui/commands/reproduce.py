@@ -66,7 +66,7 @@ def reproduce(
     ] = None,
     episodes: Annotated[
         int | None,
-        typer.Option(min=1, metavar="N", help="Dialogues to practise in, in each phase."),
+        typer.Option(min=1, metavar="N", help="Dialogues to practise in, in each phase (600)."),
     ] = None,
     jobs: Annotated[int, typer.Option(min=1, metavar="N", help="Processes.")] = os.cpu_count() or 1,
     cluster: Annotated[
