@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -39,7 +40,8 @@ def row_with(*traces: list[float], policy: str = "split", run: int = 0) -> Row:
         Command(str(i), str(i), 0.0, t[-1], False, 0.0, 0, 0, 0, tuple((0.0, s) for s in t))
         for i, t in enumerate(traces)
     )
-    return Row({"policy": policy, "noise": "std3", "run": run}, commands, {}, 0, 0.0)
+    settings = {"policy": policy, "noise": "std3", "seed": 0, "run": run}
+    return Row(settings, commands, {}, 0, 0.0)
 
 
 def test_table_4_is_the_mean_over_runs_beside_the_papers() -> None:
@@ -60,6 +62,13 @@ def test_table_5_has_the_shape_that_others_rely_on() -> None:
         assert cells["execution"]["total"]["mean"] == pytest.approx(parts)
         assert set(cells["sji"]) == {"mean", "sd", "ci95", "runs"}
     assert table["manual"]["paper"]["execution"] == TABLE5["manual"]["execution"]
+
+
+def test_equal_rows_of_another_version_have_the_same_intervals() -> None:
+    later = [replace(row, settings={**row.settings, "program": "later"}) for row in main()]
+    assert {row.key for row in later}.isdisjoint(row.key for row in main())
+    assert table5(later, "std3", resamples=50) == table5(main(), "std3", resamples=50)
+    assert figure5(later, resamples=50) == figure5(main(), resamples=50)
 
 
 def test_figure_5_has_a_point_for_every_checkpoint() -> None:

@@ -39,7 +39,7 @@ def _checkpoint(rows: Sequence[Row], place: int, score: str, resamples: int) -> 
     runs = [
         [Observation(s.document, float(getattr(s, score))) for s in one.scores] for one in taken
     ]
-    rng = stream("checkpoint", score, place, *(row.key for row in rows))
+    rng = stream("checkpoint", score, place, *(row.place for row in rows))
     return [lessons, figure(runs, rng, resamples).to_json()]
 
 
@@ -87,7 +87,7 @@ class Stopped:
 
     def figure(self, score: str, resamples: int = RESAMPLES) -> Figure:
         """A score over all commands and runs."""
-        rng = stream("stopped", score, repr(self.limit), *(row.key for row in self.rows))
+        rng = stream("stopped", score, repr(self.limit), *(row.place for row in self.rows))
         return figure([self.observations(row, score) for row in self.rows], rng, resamples)
 
 

@@ -93,6 +93,14 @@ class Row:
         return int(self.settings["run"])
 
     @property
+    def place(self) -> str:
+        """Where in the tables it stands: what is drawn for its interval hangs on this alone.
+
+        Not on the key, which is another one with each version of the program.
+        """
+        return " ".join(str(self.settings[name]) for name in ("policy", "noise", "seed", "run"))
+
+    @property
     def growth(self) -> tuple[Checkpoint, ...]:
         """The checkpoints, and at last the whole; none where there are no checkpoints."""
         whole = tuple(Score(c.document, c.ied, c.sji) for c in self.commands)

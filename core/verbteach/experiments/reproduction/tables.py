@@ -67,11 +67,11 @@ def cells(rows: Sequence[Row]) -> dict[tuple[str, str], list[Row]]:
 
 def figure_of(rows: Sequence[Row], value: str, resamples: int = RESAMPLES) -> Figure:
     """A figure over all commands of the rows, one row a run."""
-    rng = stream("figure", value, *(row.key for row in rows))
+    rng = stream("figure", value, *(row.place for row in rows))
     return figure([row.observations(value) for row in rows], rng, resamples)
 
 
 def learning_figure(rows: Sequence[Row], kind: str, resamples: int = RESAMPLES) -> Figure:
     """Questions per lesson; only runs are resampled, as lessons are not kept one by one."""
     runs = [[Observation("run", row.learned(kind))] for row in rows]
-    return figure(runs, stream("learning", kind, *(row.key for row in rows)), resamples)
+    return figure(runs, stream("learning", kind, *(row.place for row in rows)), resamples)
