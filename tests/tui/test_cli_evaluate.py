@@ -205,7 +205,7 @@ def test_a_folder_without_an_instance_is_named(folder: Path, tmp_path: Path) -> 
         (("--test-data", "."), "--data"),
         (("--runs", "0"), "--runs"),
         (("--mistakes",), "--mistakes needs a policy that asks"),
-        (("--policy", "rl", "--mistakes", "--from", "session"), "--mistakes"),
+        (("--policy", "rl", "--mistakes", "--from", "."), "--mistakes"),
     ],
 )
 def test_wrong_use_is_one_line(words: tuple[str, ...], said: str) -> None:
