@@ -24,6 +24,7 @@ from verbteach.verbs.examples import Memory
 from verbteach.verbs.goal_choice import Decision
 from verbteach.verbs.in_hand import handed, held_things, speaking_of
 from verbteach.verbs.resemblance import Kernel
+from verbteach.verbs.vocabulary import Vocabulary
 from verbteach.world.fluents import Fluent, Goal, Literal, State
 
 Bools = NDArray[np.bool_]
@@ -80,30 +81,6 @@ class PoolParameters:
     def agreement(self) -> float:
         """The probability that a right hypothesis agrees with an answer as given."""
         return self.fit * self.reliability + (1.0 - self.fit) * (1.0 - self.reliability)
-
-
-class Vocabulary(tuple[Literal, ...]):
-    """The literals of a pool, by number; they stay the same whatever is answered.
-
-    So do their numbers and the goals made of them, which are therefore kept
-    here: a goal's hash, that planners look it up by, is then computed once.
-    """
-
-    @cached_property
-    def numbers(self) -> Mapping[Literal, int]:
-        """The literals' numbers."""
-        return {literal: number for number, literal in enumerate(self)}
-
-    @cached_property
-    def _goals(self) -> dict[bytes, Goal]:
-        return {}
-
-    def goal(self, row: bytes) -> Goal:
-        """The literals of a row as a goal; each byte is 1 where its literal is in, or 0."""
-        goal = self._goals.get(row)
-        if goal is None:
-            goal = self._goals[row] = frozenset(compress(self, row))
-        return goal
 
 
 @dataclass(frozen=True)
